@@ -14,11 +14,11 @@ License
 Foam::SPH::sphBoundaryMesh::sphBoundaryMesh
 (
     const fvMesh& mesh,
-    boundaryFaces&& faces
+    const boundaryFaces& faces
 )
 :
     PtrList<sphPatch>(mesh.boundary().size()),
-    faces_(std::move(faces))
+    faces_(faces)
 {
     forAll(mesh.boundary(), patchi)
     {

@@ -74,7 +74,7 @@ Foam::SPH::sphMesh::sphMesh
     properties_(properties),
     kernel_(kernel::New(properties.subOrEmptyDict("kernel"), space_.nDims())),
     data_(std::move(data)),
-    boundary_(new sphBoundaryMesh(mesh, std::move(data_.boundary)))
+    boundary_(new sphBoundaryMesh(mesh, data_.boundary))
 {
     check();
 }

@@ -1,0 +1,138 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleMeshAssembly.H"
+#include "particlePairs.H"
+#include "periodicImages.H"
+#include "spaceFillingCurve.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Drop the pairs that a body hides from one another
+    static void dropHiddenPairs
+    (
+        const solutionSpace& space,
+        const pointField& points,
+        const scalarField& radius,
+        const signedDistance& fluid,
+        particlePairs& pairs
+    )
+    {
+        // Only particles within their radius of the surface can be hidden
+        const label n = points.size();
+        List<signedDistance::nearest> nearest(n);
+
+        #pragma omp parallel for schedule(dynamic, 256)
+        for (label i = 0; i < n; ++i)
+        {
+            nearest[i] = fluid.find(points[i]);
+        }
+
+        boolList keep(pairs.size(), true);
+        forAll(keep, pairi)
+        {
+            const signedDistance::nearest& a = nearest[pairs.owner[pairi]];
+            const signedDistance::nearest& b = nearest[pairs.neighbour[pairi]];
+            const scalar r = mag(pairs.delta[pairi]);
+
+            if (mag(a.distance) + mag(b.distance) < r)
+            {
+                const vector d(space.toGlobal(pairs.delta[pairi]));
+                const vector ha(a.hit - points[pairs.owner[pairi]]);
+                const vector hb(b.hit - points[pairs.neighbour[pairi]]);
+
+                keep[pairi] =
+                    !(((d - ha) & a.normal) > 0 && ((-d - hb) & b.normal) > 0);
+            }
+        }
+
+        pairs.subset(keep);
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
+(
+    const fvMesh& mesh,
+    const kernel& W,
+    const particleSet& particles,
+    const signedDistance& fluid,
+    const closure& method
+)
+{
+    const solutionSpace space(mesh);
+    const label n = particles.points.size();
+
+    particleMeshData data;
+
+    vectorField local(n);
+    forAll(local, i)
+    {
+        local[i] = space.toLocal(particles.points[i]);
+    }
+    const labelList order
+    (
+        spaceFillingOrder(local, min(particles.spacing))
+    );
+    local = vectorField(local, order);
+    data.points = pointField(particles.points, order);
+    data.spacing = scalarField(particles.spacing, order);
+
+    data.V.setSize(n);
+    scalarField radius(n);
+    forAll(local, i)
+    {
+        data.V[i] = space.volume(data.spacing[i]);
+        radius[i] = W.support(data.spacing[i]);
+    }
+    data.V *= gSum(mesh.V())/sum(data.V);
+
+    vectorField translations(periodicTranslations(mesh));
+    for (vector& T : translations)
+    {
+        T = space.toLocal(T);
+    }
+    particlePairs pairs(local, radius, imageOffsets(translations));
+    dropHiddenPairs(space, data.points, radius, fluid, pairs);
+
+    data.Sf.setSize(pairs.size());
+    data.delta.setSize(pairs.size());
+    forAll(data.Sf, pairi)
+    {
+        const label i = pairs.owner[pairi];
+        const label j = pairs.neighbour[pairi];
+        const scalar r = mag(pairs.delta[pairi]);
+        const scalar hi = W.smoothingRatio()*data.spacing[i];
+        const scalar hj = W.smoothingRatio()*data.spacing[j];
+        const scalar slope =
+            hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
+
+        data.delta[pairi] = space.toGlobal(pairs.delta[pairi]);
+        data.Sf[pairi] =
+            -2*data.V[i]*data.V[j]/space.thickness()*slope/r
+            *data.delta[pairi];
+    }
+    data.owner.transfer(pairs.owner);
+    data.neighbour.transfer(pairs.neighbour);
+
+    method.close(mesh, space, W, fluid, data);
+
+    return data;
+}
+
+
+// ************************************************************************* //
