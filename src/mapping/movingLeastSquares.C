@@ -1,0 +1,270 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include <Eigen/Dense>
+#include <omp.h>
+
+#include "movingLeastSquares.H"
+#include "kernel.H"
+#include "pointTree.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Radius over source spacing and over target spacing
+    static constexpr scalar sourceRadius = 1.6;
+    static constexpr scalar targetRadius = 1.1;
+
+    //- The radius holds the nearest source well inside
+    static constexpr scalar nearestRadius = 1.2;
+
+    //- Growth of the radius and how often it may grow
+    static constexpr scalar growth = 1.3;
+    static constexpr label maxGrowths = 6;
+
+    //- Extents of a stencil below this fraction of R^2 are none
+    static constexpr scalar degenerate = 1e-3;
+    static constexpr scalar singular = 1e-12;
+
+    //- Largest accepted sum |w_k|: extrapolation from a corner by half a
+    //- spacing has 3
+    static constexpr scalar maxAmplification = 4;
+
+    //- Shape of the weight, Wendland C2
+    static scalar shape(const scalar q)
+    {
+        return q < 1 ? pow4(1 - q)*(1 + 4*q) : 0;
+    }
+
+    //- Points in the solution space, in local coordinates
+    static tmp<pointField> localPoints
+    (
+        const solutionSpace& space,
+        const pointField& points
+    )
+    {
+        tmp<pointField> tlocal(new pointField(points.size()));
+        pointField& local = tlocal.ref();
+        forAll(local, i)
+        {
+            local[i] = space.toLocal(points[i]);
+        }
+        return tlocal;
+    }
+
+    //- Stencil of one target: the sources within R and their weights
+    struct stencil
+    {
+        DynamicList<label> source;
+        DynamicList<scalar> weight;
+
+        //- Sum of |weight|
+        scalar amplification;
+
+        //- Weights of the linear fit at x. Directions in which the extent
+        //- of the sources is below tolerance*R^2 are left out.
+        //  \return number of directions used
+        label fit
+        (
+            const pointField& points,
+            const scalarField& volume,
+            const point& x,
+            const scalar R,
+            const scalar tolerance
+        );
+    };
+}
+}
+
+
+Foam::label Foam::SPH::stencil::fit
+(
+    const pointField& points,
+    const scalarField& volume,
+    const point& x,
+    const scalar R,
+    const scalar tolerance
+)
+{
+    weight.setSize(source.size());
+
+    scalar sum = 0;
+    vector centroid(Zero);
+    forAll(source, k)
+    {
+        const vector d(points[source[k]] - x);
+        weight[k] = volume[source[k]]*shape(mag(d)/R);
+        sum += weight[k];
+        centroid += weight[k]*d;
+    }
+    centroid /= sum;
+
+    Eigen::Matrix3d C(Eigen::Matrix3d::Zero());
+    const auto fromCentroid = [&](const label k)
+    {
+        const vector d(points[source[k]] - x - centroid);
+        return Eigen::Vector3d(d.x(), d.y(), d.z());
+    };
+    forAll(source, k)
+    {
+        weight[k] /= sum;
+        const Eigen::Vector3d d(fromCentroid(k));
+        C += weight[k]*d*d.transpose();
+    }
+
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(C);
+
+    // Gradient at the centroid needed per unit of W_k (x_k - xc)
+    const Eigen::Vector3d toTarget
+    (
+        -centroid.x(), -centroid.y(), -centroid.z()
+    );
+    Eigen::Vector3d g(Eigen::Vector3d::Zero());
+    label rank = 0;
+    for (label c = 0; c < 3; ++c)
+    {
+        const scalar extent = eigen.eigenvalues()[c];
+        if (extent > tolerance*sqr(R))
+        {
+            const Eigen::Vector3d e(eigen.eigenvectors().col(c));
+            g += e*(e.dot(toTarget)/extent);
+            ++rank;
+        }
+    }
+
+    amplification = 0;
+    forAll(source, k)
+    {
+        weight[k] *= 1 + g.dot(fromCentroid(k));
+        amplification += mag(weight[k]);
+    }
+
+    return rank;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::movingLeastSquares::movingLeastSquares
+(
+    const solutionSpace& space,
+    const cloud& from,
+    const cloud& to
+)
+:
+    nearest_(to.points.size()),
+    start_(to.points.size() + 1, 0),
+    source_(),
+    weight_()
+{
+    if (from.points.empty() && size())
+    {
+        FatalErrorInFunction
+            << "Cannot map to " << size() << " points from no points"
+            << exit(FatalError);
+    }
+
+    const pointField sources(localPoints(space, from.points));
+    const pointField targets(localPoints(space, to.points));
+
+    scalarField volume(from.spacing);
+    for (scalar& v : volume)
+    {
+        v = kernel::integerPow(v, space.nDims());
+    }
+
+    const pointTree tree(sources);
+
+    // Every thread fills its own contiguous share of the targets
+    List<DynamicList<label>> threadSource(omp_get_max_threads());
+    List<DynamicList<scalar>> threadWeight(omp_get_max_threads());
+
+    #pragma omp parallel
+    {
+        DynamicList<label>& shareSource = threadSource[omp_get_thread_num()];
+        DynamicList<scalar>& shareWeight = threadWeight[omp_get_thread_num()];
+
+        stencil current;
+        stencil best;
+
+        #pragma omp for schedule(static)
+        for (label i = 0; i < size(); ++i)
+        {
+            const point& x = targets[i];
+            const label n0 = nearest_[i] = tree.nearest(x);
+
+            scalar R = max
+            (
+                max
+                (
+                    sourceRadius*from.spacing[n0],
+                    targetRadius*to.spacing[i]
+                ),
+                nearestRadius*mag(x - sources[n0])
+            );
+
+            best.amplification = GREAT;
+            for (label n = 0; n <= maxGrowths; ++n, R *= growth)
+            {
+                tree.sphere(x, R, current.source);
+                const label rank =
+                    current.fit(sources, volume, x, R, degenerate);
+
+                if
+                (
+                    rank == space.nDims()
+                 && current.amplification < best.amplification
+                )
+                {
+                    best = current;
+                }
+                if
+                (
+                    best.amplification <= maxAmplification
+                 || current.source.size() == sources.size()
+                )
+                {
+                    break;
+                }
+            }
+
+            if (best.amplification == GREAT)
+            {
+                best.source = current.source;
+                best.fit(sources, volume, x, R, singular);
+            }
+
+            shareSource.append(best.source);
+            shareWeight.append(best.weight);
+            start_[i + 1] = best.source.size();
+        }
+    }
+
+    for (label i = 0; i < size(); ++i)
+    {
+        start_[i + 1] += start_[i];
+    }
+
+    source_.setSize(start_.last());
+    weight_.setSize(start_.last());
+    label k = 0;
+    forAll(threadSource, threadi)
+    {
+        const label n = threadSource[threadi].size();
+        SubList<label>(source_, n, k) = threadSource[threadi];
+        SubList<scalar>(weight_, n, k) = threadWeight[threadi];
+        k += n;
+    }
+}
+
+
+// ************************************************************************* //
