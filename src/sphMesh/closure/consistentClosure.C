@@ -33,6 +33,12 @@ namespace Foam
 {
 namespace SPH
 {
+    //- Largest change of a pair area in one renormalisation, relative
+    static const scalar maxChange = 0.3;
+
+    //- Reduction of the residual between renormalisations, which spoil it
+    static const scalar sweepTolerance = 1e-3;
+
     //- Solve sum_j w_ij (x_i - x_j) = b_i for nSides fields side by side
     static pairGraph::performance solveLaplacian
     (
@@ -98,7 +104,7 @@ namespace SPH
 
         return graph.solve
         (
-            A, precondition, b, x, nSides, 1, tolerance, maxIterations
+            A, precondition, b, x, nSides, 1, true, tolerance, maxIterations
         );
     }
 
@@ -122,8 +128,9 @@ namespace SPH
 Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
 :
     order_(dict.lookupOrDefault<label>("order", 1)),
+    nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
     consistentVolumes_(true),
-    tolerance_(dict.lookupOrDefault<scalar>("tolerance", 1e-14)),
+    tolerance_(dict.lookupOrDefault<scalar>("tolerance", 5e-14)),
     maxIterations_(dict.lookupOrDefault<label>("maxIterations", 20000))
 {
     if (order_ != 0 && order_ != 1)
@@ -166,6 +173,7 @@ void Foam::SPH::consistentClosure::closeAreas
 (
     const solutionSpace& space,
     const pairGraph& graph,
+    const scalar tolerance,
     particleMeshData& data
 ) const
 {
@@ -194,10 +202,10 @@ void Foam::SPH::consistentClosure::closeAreas
             b,
             lambda,
             d,
-            areaTolerance(space, data),
+            tolerance,
             maxIterations_
         ),
-        areaTolerance(space, data)
+        tolerance
     );
 
     forAll(data.Sf, pairi)
@@ -209,6 +217,52 @@ void Foam::SPH::consistentClosure::closeAreas
             data.Sf[pairi][space.axis(c)] +=
                 w[pairi]*(lambda[i*d + c] - lambda[j*d + c]);
         }
+    }
+}
+
+
+void Foam::SPH::consistentClosure::renormalise
+(
+    const solutionSpace& space,
+    particleMeshData& data
+) const
+{
+    // First moments of the boundary faces alone, and of the pairs
+    particleMeshData boundaryOnly;
+    boundaryOnly.points = data.points;
+    boundaryOnly.boundary = data.boundary;
+    const tensorField boundaryMoments(firstMoments(boundaryOnly));
+    const tensorField moments(firstMoments(data));
+
+    const tensor unsolved(tensor::I - space.identity());
+    tensorField correction(moments.size(), tensor::I);
+    forAll(correction, i)
+    {
+        const tensor pairMoment
+        (
+            (moments[i] - boundaryMoments[i])/data.V[i] + unsolved
+        );
+        const tensor wanted
+        (
+            tensor::I - boundaryMoments[i]/data.V[i]
+        );
+
+        if (mag(det(pairMoment)) > 0.05)
+        {
+            const tensor change((inv(pairMoment) & wanted) - tensor::I);
+            correction[i] += change*min(1.0, maxChange/(mag(change) + VSMALL));
+        }
+    }
+
+    forAll(data.Sf, pairi)
+    {
+        data.Sf[pairi] =
+            data.Sf[pairi]
+          & 0.5
+           *(
+                correction[data.owner[pairi]]
+              + correction[data.neighbour[pairi]]
+            );
     }
 }
 
@@ -436,7 +490,15 @@ void Foam::SPH::consistentClosure::closeMoments
         "closing moments",
         graph.solve
         (
-            A, precondition, b, eta, d, d, tolerance, maxIterations_
+            A,
+            precondition,
+            b,
+            eta,
+            d,
+            d,
+            data.boundary.owner.empty(),
+            tolerance,
+            maxIterations_
         ),
         tolerance
     );
@@ -527,7 +589,13 @@ void Foam::SPH::consistentClosure::close
 
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
 
-    closeAreas(space, graph, data);
+    const scalar tolerance = areaTolerance(space, data);
+    for (label sweep = 0; sweep < nSweeps_; ++sweep)
+    {
+        closeAreas(space, graph, sweepTolerance*max(mag(areaSums(data)())), data);
+        renormalise(space, data);
+    }
+    closeAreas(space, graph, tolerance, data);
     closePeriodicPlanes(mesh, space, graph, data);
 
     if (consistentVolumes_)

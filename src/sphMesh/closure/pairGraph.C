@@ -84,6 +84,25 @@ namespace SPH
             }
         }
     }
+
+    //- Remove the mean over all particles of each unknown
+    static void removeMean(scalarField& x, const label width)
+    {
+        const label n = x.size()/width;
+        for (label k = 0; k < width; ++k)
+        {
+            scalar mean = 0;
+            for (label i = 0; i < n; ++i)
+            {
+                mean += x[i*width + k];
+            }
+            mean /= n;
+            for (label i = 0; i < n; ++i)
+            {
+                x[i*width + k] -= mean;
+            }
+        }
+    }
 }
 }
 
@@ -135,19 +154,33 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
     scalarField& x,
     const label nSides,
     const label blockSize,
+    const bool singular,
     const scalar tolerance,
     const label maxIterations
 ) const
 {
+    // Round-off that no further iteration removes
+    const label patience = 300;
+
+    const label width = nSides*blockSize;
     scalarField r(b.size());
     scalarField z(b.size());
     scalarField Ap(b.size());
 
     A(x, Ap);
     r = b - Ap;
+    if (singular)
+    {
+        removeMean(r, width);
+    }
 
     precondition(r, z);
+    if (singular)
+    {
+        removeMean(z, width);
+    }
     scalarField p(z);
+    scalarField best(x);
 
     scalarField rz(nSides);
     scalarField rzOld(nSides);
@@ -156,8 +189,17 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
     dots(r, z, nSides, blockSize, rz);
 
     label iteration = 0;
+    label bestIteration = 0;
     scalar residual = max(mag(r));
-    for (; iteration < maxIterations && residual > tolerance; ++iteration)
+    scalar bestResidual = residual;
+    for
+    (
+        ;
+        iteration < maxIterations
+     && residual > tolerance
+     && iteration < bestIteration + patience;
+        ++iteration
+    )
     {
         A(p, Ap);
         dots(p, Ap, nSides, blockSize, pAp);
@@ -170,6 +212,10 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
         axpy<false>(-alpha, Ap, r, nSides, blockSize);
 
         precondition(r, z);
+        if (singular)
+        {
+            removeMean(z, width);
+        }
         rzOld = rz;
         dots(r, z, nSides, blockSize, rz);
         forAll(alpha, s)
@@ -179,6 +225,18 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
         axpy<true>(alpha, z, p, nSides, blockSize);
 
         residual = max(mag(r));
+        if (residual < 0.9*bestResidual)
+        {
+            best = x;
+            bestResidual = residual;
+            bestIteration = iteration;
+        }
+    }
+
+    if (residual > tolerance)
+    {
+        x = best;
+        residual = bestResidual;
     }
 
     return {iteration, residual};
