@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "patchSurface.H"
+#include "Time.H"
+#include "cyclicPolyPatch.H"
+#include "cyclicAMIPolyPatch.H"
+#include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "HashSet.H"
+#include "SubField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+namespace
+{
+
+//- Path of the mesh for messages
+fileName meshPath(const polyMesh& mesh)
+{
+    return mesh.time().path()/mesh.meshDir();
+}
+
+
+void checkPatchTypes(const polyMesh& mesh)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(pp))
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " in " << meshPath(mesh)
+                << " is a processor patch: particles are generated from the"
+                << " mesh before it is decomposed. Run without -parallel"
+                << exit(FatalError);
+        }
+
+        if
+        (
+            pp.coupled()
+         && !isA<cyclicPolyPatch>(pp)
+         && !isA<cyclicAMIPolyPatch>(pp)
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " in " << meshPath(mesh)
+                << " has the coupled type " << pp.type()
+                << ", which is not supported. Valid coupled types: cyclic,"
+                << " cyclicAMI" << exit(FatalError);
+        }
+    }
+}
+
+
+//- Area-weighted centre and area vector of a patch
+void centreAndArea(const polyPatch& pp, point& centre, vector& area)
+{
+    const vectorField::subField Cf(pp.faceCentres());
+    const vectorField::subField Sf(pp.faceAreas());
+
+    scalar sumMagSf = 0;
+    centre = Zero;
+    area = Zero;
+    forAll(pp, facei)
+    {
+        sumMagSf += mag(Sf[facei]);
+        centre += mag(Sf[facei])*Cf[facei];
+        area += Sf[facei];
+    }
+    centre /= max(sumMagSf, VSMALL);
+}
+
+
+//- Translation from each pair of coupled patches to its partner
+List<vector> translations(const polyMesh& mesh, const solutionSpace& space)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+
+    DynamicList<vector> periods;
+
+    for (const polyPatch& pp : patches)
+    {
+        const label nbri =
+            isA<cyclicPolyPatch>(pp)
+          ? refCast<const cyclicPolyPatch>(pp).neighbPatchID()
+          : isA<cyclicAMIPolyPatch>(pp)
+          ? refCast<const cyclicAMIPolyPatch>(pp).neighbPatchID()
+          : -1;
+
+        if (nbri <= pp.index() || returnReduce(pp.size(), sumOp<label>()) == 0)
+        {
+            continue;
+        }
+
+        point centre, nbrCentre;
+        vector area, nbrArea;
+        centreAndArea(pp, centre, area);
+        centreAndArea(patches[nbri], nbrCentre, nbrArea);
+
+        // A cyclic patch may be several facing planes, whose areas cancel
+        const bool rotated =
+            mag(area + nbrArea) > 1e-6*(mag(area) + mag(nbrArea) + VSMALL)
+         || (
+                isA<cyclicPolyPatch>(pp)
+             && !refCast<const cyclicPolyPatch>(pp).parallel()
+            );
+
+        if (rotated)
+        {
+            FatalErrorInFunction
+                << "The coupled patches " << pp.name() << " and "
+                << patches[nbri].name() << " in " << meshPath(mesh)
+                << " are rotated against each other. Only translational"
+                << " periodicity is supported" << exit(FatalError);
+        }
+
+        const vector period
+        (
+            space.toGlobal(space.toLocal(nbrCentre - centre))
+        );
+
+        // Several pairs may repeat the region in the same direction
+        bool known = false;
+        for (const vector& other : periods)
+        {
+            known = known || mag(period ^ other) < 1e-6*magSqr(period);
+        }
+
+        if (!known)
+        {
+            periods.append(period);
+        }
+    }
+
+    return List<vector>(std::move(periods));
+}
+
+} // End anonymous namespace
+} // End namespace SPH
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::SPH::orientedSurface Foam::SPH::patchSurface::allElements
+(
+    const polyMesh& mesh,
+    const solutionSpace& space
+)
+{
+    checkPatchTypes(mesh);
+
+    orientedSurface surface
+    (
+        space.nDims() == 1 ? pointElements(mesh, space)
+      : space.nDims() == 2 ? segmentElements(mesh, space)
+      : triangleElements(mesh, space)
+    );
+
+    List<element> elements(surface.elements());
+    for (element& e : elements)
+    {
+        e.coupled = mesh.boundaryMesh()[e.patchi].coupled();
+    }
+
+    return orientedSurface
+    (
+        space,
+        pointField(surface.points()),
+        std::move(elements),
+        translations(mesh, space)
+    );
+}
+
+
+void Foam::SPH::patchSurface::checkClosed() const
+{
+    wordHashSet open;
+    for (const label elementi : openElements())
+    {
+        open.insert(mesh_.boundaryMesh()[elements()[elementi].patchi].name());
+    }
+
+    if (open.size())
+    {
+        FatalErrorInFunction
+            << "The boundary of the mesh in " << meshPath(mesh_)
+            << " is not a closed surface: edges of the patches "
+            << open.sortedToc() << " have no neighbour. Run checkMesh"
+            << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::patchSurface::patchSurface
+(
+    const polyMesh& mesh,
+    const solutionSpace& space
+)
+:
+    orientedSurface(allElements(mesh, space)),
+    mesh_(mesh)
+{
+    checkClosed();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::SPH::patchSurface::patchElements
+(
+    const labelUList& patches
+) const
+{
+    const labelHashSet wanted(patches);
+
+    DynamicList<label> found(size());
+    forAll(elements(), elementi)
+    {
+        if (wanted.found(elements()[elementi].patchi))
+        {
+            found.append(elementi);
+        }
+    }
+
+    return labelList(std::move(found));
+}
+
+
+// ************************************************************************* //
