@@ -12,13 +12,24 @@ License
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Type>
-void Foam::SPH::particlesToMesh::map
+void Foam::SPH::particlesToMesh::mapInternal
 (
     const Field<Type>& particleValues,
     GeometricField<Type, fvPatchField, volMesh>& result
 ) const
 {
     cells_.map(particleValues, result.primitiveFieldRef());
+}
+
+
+template<class Type>
+void Foam::SPH::particlesToMesh::map
+(
+    const Field<Type>& particleValues,
+    GeometricField<Type, fvPatchField, volMesh>& result
+) const
+{
+    mapInternal(particleValues, result);
     result.correctBoundaryConditions();
 }
 

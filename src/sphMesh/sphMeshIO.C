@@ -218,7 +218,8 @@ Foam::word Foam::SPH::sphMesh::digest
     os  << dict;
     sha.append(os.str());
 
-    return sha.digest().str();
+    // The prefix keeps a leading digit from being read back as a number
+    return sha.digest().str(true);
 }
 
 
