@@ -21,8 +21,8 @@ namespace Foam
 {
 namespace SPH
 {
-    //- Entries of sphMeshDict
-    static const wordHashSet validEntries
+    //- Sub-dictionaries of sphMeshDict
+    static const wordHashSet validDicts
     ({
         "FoamFile", "spacing", "kernel", "lattice", "bodies", "relaxation",
         "closure", "levelSet"
@@ -107,11 +107,11 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
 
     for (const entry& e : dict)
     {
-        if (!validEntries.found(e.keyword()))
+        if (e.isDict() && !validDicts.found(e.keyword()))
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << e.keyword() << "'. Valid entries: "
-                << validEntries.sortedToc() << exit(FatalIOError);
+            IOWarningInFunction(dict)
+                << "Nobody reads the sub-dictionary '" << e.keyword()
+                << "'. Valid ones: " << validDicts.sortedToc() << endl;
         }
     }
 
