@@ -106,6 +106,7 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
 {
     const fileName name(dict.get<fileName>("surface"));
     const scalar scale(dict.getOrDefault<scalar>("scale", 1));
+    const scalar maxHoleSize(dict.getOrDefault<scalar>("maxHoleSize", 0.1));
     const fileName directory(time.globalPath()/time.constant()/"triSurface");
     const fileName file(directory/name);
 
@@ -134,7 +135,7 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
 
     if (!valid(surface))
     {
-        const string repairs(repairSurface(triangles));
+        const string repairs(repairSurface(triangles, maxHoleSize));
         Info<< "Surface " << name << " was repaired: " << repairs.c_str()
             << endl;
         surface = convert(triangles, space);
@@ -148,11 +149,12 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
             << "Surface " << file << " is not a closed surface"
             << (space.nDims() == 2 ? " where the mid-plane cuts it" : "")
             << " and could not be repaired: " << open.size() << " of "
-            << surface.size() << " elements are open";
+            << surface.size() << " elements are open. Holes up to maxHoleSize "
+            << maxHoleSize << " times the size of the surface are filled";
 
         if (open.size())
         {
-            FatalIOError << ", one at " << surface.centre(open[0]);
+            FatalIOError << ". One is at " << surface.centre(open[0]);
         }
         FatalIOError << exit(FatalIOError);
     }

@@ -305,9 +305,13 @@ void Foam::SPH::solidBodies::checkSize(const spacingFunction& spacing) const
 {
     for (const solidBody& body : *this)
     {
-        const boundBox box(body.surface().bounds());
-        const scalar size = cmptMax(box.span());
-        const scalar dp = spacing(box.midpoint());
+        const scalar size = cmptMax(body.surface().bounds().span());
+
+        scalar dp = GREAT;
+        for (const point& p : body.surface().points())
+        {
+            dp = min(dp, spacing(p));
+        }
 
         if (size < dp)
         {

@@ -83,7 +83,7 @@ Foam::autoPtr<Foam::SPH::spacingFunction> Foam::SPH::spacingFunction::New
     const entry& e = *dict.findEntry("spacing");
 
     // A number or a type alone stand for a dictionary
-    dictionary selected(dict, dictionary(dict.name()/"spacing"));
+    dictionary selected(dict, dictionary(fileName("spacing")));
     if (e.isDict())
     {
         selected = e.dict();

@@ -299,6 +299,24 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::find
 }
 
 
+Foam::scalar Foam::SPH::surfaceDistance::magDistance(const point& p) const
+{
+    const point x(space_.toLocal(p));
+    const label elementi = tree_->nearest(x);
+
+    if (elementi < 0)
+    {
+        return GREAT;
+    }
+
+    point hit;
+    vector normal;
+    nearestOnElement(elementi, x, hit, normal);
+
+    return space_.nDims() == 1 ? mag(x.x() - hit.x()) : mag(x - hit);
+}
+
+
 bool Foam::SPH::surfaceDistance::within
 (
     const point& p,

@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fromMeshSpacing.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    defineTypeNameAndDebug(fromMeshSpacing, 0);
+    addToRunTimeSelectionTable(spacingFunction, fromMeshSpacing, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::fromMeshSpacing::fromMeshSpacing
+(
+    const patchSurface& surface,
+    const dictionary& dict
+)
+:
+    space_(surface.space()),
+    slope_(readGrowth(dict, 1.1) - 1)
+{
+    const polyMesh& mesh = surface.mesh();
+
+    const scalar least(dict.getOrDefault<scalar>("min", 0));
+    const scalar largest(dict.getOrDefault<scalar>("max", GREAT));
+    const scalar scale(dict.getOrDefault<scalar>("scale", 1));
+
+    if (least < 0 || largest < least || largest <= 0 || scale <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries min " << least << ", max " << largest << " and scale "
+            << scale << " must be positive, and min not above max"
+            << exit(FatalIOError);
+    }
+
+    pointField centres(mesh.cellCentres());
+    scalarField sizes(mesh.cellVolumes());
+    forAll(sizes, celli)
+    {
+        centres[celli] = space_.toLocal(centres[celli]);
+        sizes[celli] = Foam::min
+        (
+            Foam::max(scale*space_.spacing(sizes[celli]), least),
+            largest
+        );
+    }
+
+    setRange(Foam::min(sizes), Foam::max(sizes));
+    tree_.reset(new growthTree(centres, sizes, slope_));
+
+    DynamicList<vector> shifts;
+    shifts.append(vector::zero);
+    for (const vector& period : surface.periods())
+    {
+        const label n = shifts.size();
+        for (label i = 0; i < n; ++i)
+        {
+            shifts.append(vector(shifts[i] + space_.toLocal(period)));
+            shifts.append(vector(shifts[i] - space_.toLocal(period)));
+        }
+    }
+    shifts_.transfer(shifts);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::SPH::fromMeshSpacing::operator()(const point& p) const
+{
+    const point x(space_.toLocal(p));
+
+    scalar dp = max();
+    for (const vector& shift : shifts_)
+    {
+        dp = tree_->evaluate(x + shift, dp);
+    }
+
+    return dp;
+}
+
+
+// ************************************************************************* //
