@@ -1,0 +1,184 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fileSurface.H"
+#include "surfaceRepair.H"
+#include "triSurface.H"
+#include "EdgeMap.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::SPH::orientedSurface Foam::SPH::fileSurface::convert
+(
+    const triSurface& triangles,
+    const solutionSpace& space
+)
+{
+    const pointField& triPoints = triangles.points();
+
+    DynamicList<point> points;
+    DynamicList<element> elements(triangles.size());
+
+    if (space.nDims() == 3)
+    {
+        for (const labelledTri& t : triangles)
+        {
+            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+            {
+                elements.append(element(t[0], t[1], t[2]));
+            }
+        }
+
+        return orientedSurface
+        (
+            space,
+            pointField(triPoints),
+            List<element>(std::move(elements))
+        );
+    }
+
+    const direction dz = space.axis(2);
+    const scalar zMid = space.position(Zero)[dz];
+    EdgeMap<label> vertexOfEdge;
+
+    for (const labelledTri& t : triangles)
+    {
+        DynamicList<label> cut(2);
+
+        for (label k = 0; k < 3; ++k)
+        {
+            // In ascending order, so that both triangles of an edge agree
+            const edge e(min(t[k], t[t.fcIndex(k)]), max(t[k], t[t.fcIndex(k)]));
+            const point& a = triPoints[e.start()];
+            const point& b = triPoints[e.end()];
+
+            // A vertex on the plane counts as above it
+            if ((a[dz] < zMid) != (b[dz] < zMid))
+            {
+                if (vertexOfEdge.insert(e, points.size()))
+                {
+                    const scalar s = (zMid - a[dz])/(b[dz] - a[dz]);
+                    points.append
+                    (
+                        space.position(space.toLocal(a + s*(b - a)))
+                    );
+                }
+                cut.append(vertexOfEdge[e]);
+            }
+        }
+
+        if (cut.size() == 2)
+        {
+            const vector n(space.toLocal(t.areaNormal(triPoints)));
+            const vector s(space.toLocal(points[cut[1]] - points[cut[0]]));
+
+            if (s.y()*n.x() - s.x()*n.y() < 0)
+            {
+                std::swap(cut[0], cut[1]);
+            }
+            elements.append(element(cut[0], cut[1]));
+        }
+    }
+
+    return orientedSurface
+    (
+        space,
+        pointField(std::move(points)),
+        List<element>(std::move(elements))
+    );
+}
+
+
+Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
+(
+    const Time& time,
+    const solutionSpace& space,
+    const dictionary& dict
+)
+{
+    const fileName name(dict.get<fileName>("surface"));
+    const scalar scale(dict.getOrDefault<scalar>("scale", 1));
+    const fileName directory(time.globalPath()/time.constant()/"triSurface");
+    const fileName file(directory/name);
+
+    if (!isFile(file))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no surface " << name << " in " << directory
+            << ". Valid surfaces: " << readDir(directory) << exit(FatalIOError);
+    }
+
+    if (space.nDims() == 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Surface " << name << ": a one-dimensional case cannot have"
+            << " bodies read from files" << exit(FatalIOError);
+    }
+
+    triSurface triangles(file, scale);
+
+    const auto valid = [](const orientedSurface& s)
+    {
+        return s.size() && s.openElements().empty() && mag(s.volume()) > VSMALL;
+    };
+
+    orientedSurface surface(convert(triangles, space));
+
+    if (!valid(surface))
+    {
+        const string repairs(repairSurface(triangles));
+        Info<< "Surface " << name << " was repaired: " << repairs.c_str()
+            << endl;
+        surface = convert(triangles, space);
+    }
+
+    if (!valid(surface))
+    {
+        const labelList open(surface.openElements());
+
+        FatalIOErrorInFunction(dict)
+            << "Surface " << file << " is not a closed surface"
+            << (space.nDims() == 2 ? " where the mid-plane cuts it" : "")
+            << " and could not be repaired: " << open.size() << " of "
+            << surface.size() << " elements are open";
+
+        if (open.size())
+        {
+            FatalIOError << ", one at " << surface.centre(open[0]);
+        }
+        FatalIOError << exit(FatalIOError);
+    }
+
+    if (surface.volume() < 0)
+    {
+        Info<< "Surface " << name << " is oriented inward: turned inside out"
+            << endl;
+        return surface.subset(identity(surface.size()), true);
+    }
+
+    return surface.subset(identity(surface.size()));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::fileSurface::fileSurface
+(
+    const Time& time,
+    const solutionSpace& space,
+    const dictionary& dict
+)
+:
+    orientedSurface(read(time, space, dict))
+{}
+
+
+// ************************************************************************* //
