@@ -1,0 +1,37 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "verletList.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::verletList::reset
+(
+    vectorField&& points,
+    scalarField&& radius,
+    const scalar radiusRatio,
+    const scalar skin
+)
+{
+    points_ = std::move(points);
+    radius_ = std::move(radius);
+    maxRadius_ = max(radius_);
+    radiusRatio_ = radiusRatio;
+    skin_ = skin;
+
+    gridPtr_.reset(new cellGrid(points_, min(radius_) + skin));
+
+    begin_.setSize(points_.size());
+    end_.setSize(points_.size());
+    end_ = -1;
+    entries_.clear();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "convergenceMonitor.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::convergenceMonitor::add(const record& state)
+{
+    if (firstEnergy_ == 0)
+    {
+        firstEnergy_ = state.kineticEnergy;
+    }
+
+    record normalised(state);
+    normalised.kineticEnergy =
+        firstEnergy_ > 0 ? state.kineticEnergy/firstEnergy_ : 0;
+    history_.append(normalised);
+}
+
+
+bool Foam::SPH::convergenceMonitor::converged() const
+{
+    const record& last = history_.last();
+
+    return
+        last.maxResidual <= tolerance_
+     && (
+            last.kineticEnergy <= tolerance_
+         || last.maxResidual <= 0.1*tolerance_
+        );
+}
+
+
+void Foam::SPH::convergenceMonitor::log
+(
+    Ostream& os,
+    const label nActive
+) const
+{
+    const record& last = history_.last();
+
+    os  << "Iteration = " << last.iteration
+        << "  residual = " << last.maxResidual
+        << "  kinetic energy = " << last.kineticEnergy
+        << "  moving particles = " << nActive;
+
+    // The residual falls about geometrically
+    const label back = history_.size() - 1 - logInterval_;
+    if (back >= 0 && last.maxResidual > tolerance_)
+    {
+        const scalar perIteration = clock_.elapsedTime()/history_.size();
+        const scalar decay =
+            Foam::log(history_[back].maxResidual/max(last.maxResidual, VSMALL))
+           /logInterval_;
+
+        scalar nLeft = maxIterations_ - last.iteration;
+        if (decay > 0)
+        {
+            nLeft = min(nLeft, Foam::log(last.maxResidual/tolerance_)/decay);
+        }
+        os  << "  time left = " << round(10*nLeft*perIteration)/10 << " s";
+    }
+
+    os  << endl;
+}
+
+
+void Foam::SPH::convergenceMonitor::write(const fileName& file) const
+{
+    mkDir(file.path());
+    OFstream os(file);
+
+    os  << "iteration,normalisedKineticEnergy,maxResidual,totalError" << nl;
+    for (const record& r : history_)
+    {
+        os  << r.iteration << ',' << r.kineticEnergy << ',' << r.maxResidual
+            << ',';
+        if (r.totalError >= 0)
+        {
+            os  << r.totalError;
+        }
+        os  << nl;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,343 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "relaxation.H"
+#include "kernelSums.H"
+#include "latticePattern.H"
+#include "IOstreams.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::relaxation::resetList()
+{
+    if (!domain_.uniform())
+    {
+        for (const DynamicList<label>& targets : targets_)
+        {
+            for (const label i : targets)
+            {
+                particles_.setSpacing
+                (
+                    i, domain_.spacingAt(particles_.position(i))
+                );
+            }
+        }
+    }
+
+    const scalar maxSpacing = max(particles_.spacing);
+    const scalar skin = method_.skin()*min(particles_.spacing);
+
+    particles_.makeImages
+    (
+        domain_.low,
+        domain_.high,
+        domain_.support(0, maxSpacing) + skin
+    );
+
+    // Roles of fixed points are those of their body plus the number of bodies
+    const label nBodies = particles_.nBodies();
+    scalarField radius(particles_.size());
+    forAll(radius, i)
+    {
+        radius[i] = domain_.support
+        (
+            particles_.role[i] % nBodies, particles_.spacing[i]
+        );
+    }
+
+    // Radii of neighbours differ by bodies' smoothing ratios, and by the
+    // growth of the spacing over the support
+    scalar smallest = GREAT;
+    scalar largest = 0;
+    for (const relaxationDomain::body& b : domain_.bodies)
+    {
+        smallest = min(smallest, b.smoothingRatio);
+        largest = max(largest, b.smoothingRatio);
+    }
+    const scalar ratio = largest/smallest*(domain_.uniform() ? 1 : 1.4);
+
+    list_.reset(particles_.positions(), std::move(radius), ratio, skin);
+}
+
+
+bool Foam::SPH::relaxation::outOfSkin() const
+{
+    scalar largest = 0;
+
+    for (const DynamicList<label>& targets : targets_)
+    {
+        #pragma omp parallel for reduction(max: largest)
+        for (label t = 0; t < targets.size(); ++t)
+        {
+            const label i = targets[t];
+            largest = max
+            (
+                largest,
+                magSqr(particles_.position(i) - list_.resetPoint(i))
+            );
+        }
+    }
+
+    return largest > sqr(0.5*list_.skin());
+}
+
+
+void Foam::SPH::relaxation::findFirstLayer()
+{
+    DynamicList<label> layer;
+    for (label i = 0; i < particles_.nParticles(); ++i)
+    {
+        const scalar dp = particles_.spacing[i];
+        if
+        (
+            particles_.role[i] == 0
+         && -particles_.phi[i] - particles_.drift[i] < dp
+        )
+        {
+            const vector p(particles_.position(i));
+            const bool near =
+                domain_.bodies.size() == 1
+              ? domain_.distance(0, p) > -dp
+              : domain_.nearSolid(p, dp);
+            if (near)
+            {
+                layer.append(i);
+            }
+        }
+    }
+    firstLayer_.transfer(layer);
+}
+
+
+Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
+{
+    const DynamicList<label>& targets = targets_[bodyi];
+
+    if (targets.empty())
+    {
+        return 0;
+    }
+
+    list_.addRows
+    (
+        targets,
+        [&](const label, const label j)
+        {
+            return method_.sees(bodyi, particles_.role[j]);
+        }
+    );
+
+    gradientSums
+    (
+        particles_,
+        list_,
+        domain_.W,
+        domain_.bodies[bodyi].smoothingRatio,
+        domain_.uniform(),
+        targets,
+        sums_
+    );
+    method_.addBoundaryTerm(bodyi, particles_, targets, sums_);
+
+    const scalar step =
+        method_.displacements(bodyi, particles_, targets, sums_, steps_);
+
+    #pragma omp parallel for schedule(dynamic, 256)
+    for (label t = 0; t < targets.size(); ++t)
+    {
+        const label i = targets[t];
+        const scalar dp = particles_.spacing[i];
+        const vector dr(bounding_.move(bodyi, i, steps_[t], particles_));
+
+        residual_[i] = mag(dr)/(step*dp);
+        force_[i] = mag(sums_[t])*dp;
+    }
+
+    particles_.updateImages();
+    nParticleIterations_ += targets.size();
+
+    return step;
+}
+
+
+Foam::scalar Foam::SPH::relaxation::kineticEnergy(const scalar step) const
+{
+    // v = 2 S dt, dt^2 = alpha
+    scalar energy = 0;
+    for (const label i : firstLayer_)
+    {
+        energy += 2*step*particles_.V[i]*sqr(force_[i]);
+    }
+    return energy;
+}
+
+
+Foam::scalar Foam::SPH::relaxation::maxResidual() const
+{
+    scalar largest = 0;
+
+    for (const DynamicList<label>& targets : targets_)
+    {
+        #pragma omp parallel for reduction(max: largest)
+        for (label t = 0; t < targets.size(); ++t)
+        {
+            largest = max(largest, residual_[targets[t]]);
+        }
+    }
+
+    return largest;
+}
+
+
+Foam::scalar Foam::SPH::relaxation::totalError()
+{
+    const kernel& W = domain_.W;
+    const scalar ratio = domain_.bodies[0].smoothingRatio;
+
+    DynamicList<label> fluid(particles_.nParticles());
+    for (label i = 0; i < particles_.nParticles(); ++i)
+    {
+        if (particles_.role[i] == 0)
+        {
+            fluid.append(i);
+        }
+    }
+
+    list_.addRows
+    (
+        fluid,
+        [&](const label, const label j)
+        {
+            return method_.sees(0, particles_.role[j]);
+        }
+    );
+
+    // Solids do not contribute: the sum is over the fluid's particles
+    scalarField fractions;
+    volumeFractions(particles_, list_, W, ratio, 1, fluid, fractions);
+
+    // Largest average volume of a particle: that of the better lattice
+    const scalar vSup = max
+    (
+        latticePattern(latticePattern::SQUARE, W.nDims())
+       .characteristicVolume(W, ratio),
+        latticePattern(latticePattern::HEXAGONAL, W.nDims())
+       .characteristicVolume(W, ratio)
+    );
+
+    scalar error = 0;
+    scalar volume = 0;
+    #pragma omp parallel for reduction(+: error, volume) schedule(static, 4096)
+    for (label t = 0; t < fluid.size(); ++t)
+    {
+        const label i = fluid[t];
+        const scalar h = ratio*particles_.spacing[i];
+        const scalar V = particles_.V[i];
+
+        scalar missing = 0;
+        if (-particles_.phi[i] - particles_.drift[i] < W.cutOff()*h)
+        {
+            const scalar phi = domain_.distance(0, particles_.position(i));
+            missing = 2*W.lineTail(max(-phi, scalar(0)), h);
+        }
+
+        error += V*vSup*(fractions[t] + missing);
+        volume += V;
+    }
+
+    return mag(error/volume - 1);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::relaxation::relaxation
+(
+    const relaxationDomain& domain,
+    relaxationMethod& method,
+    particleSystem& particles
+)
+:
+    domain_(domain),
+    method_(method),
+    particles_(particles),
+    bounding_(domain, method),
+    targets_(domain.bodies.size()),
+    touched_(particles.nParticles(), false),
+    residual_(particles.nParticles(), Zero),
+    force_(particles.nParticles(), Zero)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
+{
+    collectTargets();
+    resetList();
+    findFirstLayer();
+
+    label iteration =
+        monitor.history().empty() ? 0 : monitor.history().last().iteration;
+    bool verified = false;
+
+    while (iteration < method_.maxIterations() && nActive())
+    {
+        ++iteration;
+
+        for (label bodyi = 1; bodyi < domain_.bodies.size(); ++bodyi)
+        {
+            moveBody(bodyi);
+        }
+        const scalar step = moveBody(0);
+
+        convergenceMonitor::record state;
+        state.iteration = iteration;
+        state.kineticEnergy = kineticEnergy(step);
+        state.maxResidual = maxResidual();
+        if (monitor.logs(iteration))
+        {
+            state.totalError = totalError();
+        }
+        monitor.add(state);
+
+        const bool converged = monitor.converged();
+        if (converged && verified)
+        {
+            break;
+        }
+
+        if (method_.freeze())
+        {
+            updateActivity();
+        }
+        if (converged || !nActive())
+        {
+            wakeTouched();
+            verified = true;
+        }
+        else
+        {
+            verified = false;
+        }
+
+        if (monitor.logs(iteration))
+        {
+            monitor.log(Info(), nActive());
+        }
+        if (outOfSkin())
+        {
+            resetList();
+            findFirstLayer();
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,125 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Description
+    Which particles a relaxation works on.
+
+\*---------------------------------------------------------------------------*/
+
+#include "relaxation.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::relaxation::collectTargets()
+{
+    for (DynamicList<label>& targets : targets_)
+    {
+        targets.clear();
+    }
+
+    for (label i = 0; i < particles_.nParticles(); ++i)
+    {
+        if (particles_.active[i])
+        {
+            targets_[particles_.role[i]].append(i);
+            touched_[i] = true;
+        }
+    }
+}
+
+
+void Foam::SPH::relaxation::updateActivity()
+{
+    const label nParticles = particles_.nParticles();
+    const label nBodies = particles_.nBodies();
+    const scalar rest = restFraction_*method_.tolerance();
+
+    wake_.setSize(nParticles);
+    wake_ = 0;
+
+    const auto wake = [&](const label j)
+    {
+        const label i = particles_.origin(j);
+        if (i < nParticles)
+        {
+            #pragma omp atomic write
+            wake_[i] = 1;
+        }
+    };
+
+    for (label bodyi = 0; bodyi < nBodies; ++bodyi)
+    {
+        // Rows hold those that the mover sees; others may see the mover
+        bool seenByOthers = false;
+        for (label b = 0; b < nBodies; ++b)
+        {
+            seenByOthers = seenByOthers || (b != bodyi && method_.sees(b, bodyi));
+        }
+
+        const DynamicList<label>& targets = targets_[bodyi];
+
+        #pragma omp parallel for schedule(dynamic, 256)
+        for (label t = 0; t < targets.size(); ++t)
+        {
+            const label i = targets[t];
+            if (residual_[i] <= rest)
+            {
+                continue;
+            }
+
+            wake(i);
+            for (const label* s = list_.begin(i); s < list_.end(i); ++s)
+            {
+                wake(*s);
+            }
+            if (seenByOthers)
+            {
+                list_.forNear
+                (
+                    i,
+                    domain_.support(0, particles_.spacing[i]) + list_.skin(),
+                    [&](const label j)
+                    {
+                        const label role = particles_.role[j];
+                        if (role < nBodies && method_.sees(role, bodyi))
+                        {
+                            wake(j);
+                        }
+                    }
+                );
+            }
+        }
+    }
+
+    for (label i = 0; i < nParticles; ++i)
+    {
+        particles_.active[i] = wake_[i];
+    }
+
+    collectTargets();
+}
+
+
+void Foam::SPH::relaxation::wakeTouched()
+{
+    particles_.active = touched_;
+    collectTargets();
+}
+
+
+Foam::label Foam::SPH::relaxation::nActive() const
+{
+    label n = 0;
+    for (const DynamicList<label>& targets : targets_)
+    {
+        n += targets.size();
+    }
+    return n;
+}
+
+
+// ************************************************************************* //
