@@ -31,10 +31,7 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#include "argList.H"
-#include "Time.H"
-#include "fvMesh.H"
-#include "volFields.H"
+#include "fvCFD.H"
 #include "particleGenerator.H"
 #include "particleMeshAssembly.H"
 #include "particleMeshProperties.H"
