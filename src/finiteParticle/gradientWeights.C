@@ -47,7 +47,8 @@ bool Foam::SPH::gradientWeights::invert
     // one side only are still a third or more
     constexpr scalar resolved = 0.05;
 
-    Eigen::MatrixXd m(nDims, nDims);
+    // Directions not solved get the scale of the others
+    Eigen::Matrix3d m(mag(M)*Eigen::Matrix3d::Identity());
     for (label a = 0; a < nDims; ++a)
     {
         for (label b = 0; b < nDims; ++b)
@@ -56,16 +57,16 @@ bool Foam::SPH::gradientWeights::invert
         }
     }
 
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd
+    Eigen::JacobiSVD<Eigen::Matrix3d> svd
     (
         m,
         Eigen::ComputeFullU | Eigen::ComputeFullV
     );
     svd.setThreshold(resolved);
 
-    const Eigen::MatrixXd pseudoInverse
+    const Eigen::Matrix3d pseudoInverse
     (
-        svd.solve(Eigen::MatrixXd::Identity(nDims, nDims))
+        svd.solve(Eigen::Matrix3d::Identity())
     );
 
     inv = Zero;
@@ -77,7 +78,7 @@ bool Foam::SPH::gradientWeights::invert
         }
     }
 
-    return svd.rank() == nDims;
+    return svd.rank() == 3;
 }
 
 
