@@ -110,8 +110,9 @@ Foam::scalar Foam::SPH::surfaceIntegral::overSegment
         return kernel_.w(Foam::sqrt(sqrDistance + s*s)/h);
     };
 
-    return
-        kernel_.sigma(h)*(integrate(w, from, middle) + integrate(w, middle, to));
+    const scalar sum = integrate(w, from, middle) + integrate(w, middle, to);
+
+    return kernel_.sigma(h)*sum;
 }
 
 
