@@ -56,7 +56,8 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::convert
         for (label k = 0; k < 3; ++k)
         {
             // In ascending order, so that both triangles of an edge agree
-            const edge e(min(t[k], t[t.fcIndex(k)]), max(t[k], t[t.fcIndex(k)]));
+            const label next = t[t.fcIndex(k)];
+            const edge e(min(t[k], next), max(t[k], next));
             const point& a = triPoints[e.start()];
             const point& b = triPoints[e.end()];
 
