@@ -17,6 +17,8 @@ namespace Foam
 namespace SPH
 {
     defineTypeNameAndDebug(sphMesh, 0);
+
+    const word sphMesh::folder("sphMesh");
 }
 }
 
@@ -48,12 +50,39 @@ void Foam::SPH::sphMesh::check() const
      && (faces.owner.empty()
       || (min(faces.owner) >= 0 && max(faces.owner) < n));
 
-    if (n == 0 || !sized || !inRange)
+    bool valid = n > 0 && sized && inRange;
+
+    for (label pairi = 0; valid && pairi < nP; ++pairi)
+    {
+        valid =
+            data_.owner[pairi] < data_.neighbour[pairi]
+         && magSqr(data_.delta[pairi]) > 0
+         && mag(data_.Sf[pairi]) < GREAT;
+    }
+    for (label i = 0; valid && i < n; ++i)
+    {
+        valid =
+            data_.V[i] > 0
+         && data_.spacing[i] > 0
+         && mag(data_.points[i]) < GREAT;
+    }
+    for (const sphPatch& patch : boundary())
+    {
+        const labelUList faces(patch.face());
+        valid =
+            valid
+         && (
+                faces.empty()
+             || (min(faces) >= 0 && max(faces) < patch.patch().patch().size())
+            );
+    }
+
+    if (!valid)
     {
         FatalErrorInFunction
             << "The particle mesh in " << directory(mesh_)
-            << " is inconsistent: sizes or addressing of its arrays do not"
-            << " agree. Regenerate it with sphMesh -overwrite"
+            << " is inconsistent: sizes, addressing or values of its arrays"
+            << " do not agree. Regenerate it with sphMesh -overwrite"
             << exit(FatalError);
     }
 }

@@ -11,7 +11,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphMesh.H"
-#include "compat.H"
+#include "solidParticles.H"
+#include "storedArrays.H"
 #include "labelIOList.H"
 #include "scalarIOField.H"
 #include "vectorIOField.H"
@@ -26,57 +27,6 @@ namespace Foam
 {
 namespace SPH
 {
-    static const word folder("sphMesh");
-
-    static IOobject arrayIO
-    (
-        const word& name,
-        const fvMesh& mesh,
-        const fileName& local,
-        const IOobject::readOption read
-    )
-    {
-        return IOobject
-        (
-            name,
-            mesh.time().constant(),
-            local,
-            mesh,
-            read,
-            IOobject::NO_WRITE,
-            false
-        );
-    }
-
-    template<class Container>
-    static Container readArray(const word& name, const fvMesh& mesh)
-    {
-        IOobject io(arrayIO(name, mesh, folder, IOobject::MUST_READ));
-
-        return Container(io);
-    }
-
-    //- Arrays are stored in binary whatever the case's writeFormat is:
-    //- closure to round-off would not survive decimal digits
-    template<class Container, class Data>
-    static void writeArray
-    (
-        const word& name,
-        const fvMesh& mesh,
-        const fileName& local,
-        const Data& data
-    )
-    {
-        Container array(arrayIO(name, mesh, local, IOobject::NO_READ), data);
-
-        if (!writeAs(array, IOstream::BINARY))
-        {
-            FatalErrorInFunction
-                << "Cannot write " << array.objectPath()
-                << exit(FatalError);
-        }
-    }
-
     //- Vectors from owner to neighbour
     static vectorField centreDifferences(const particleMeshData& data)
     {
@@ -90,12 +40,14 @@ namespace SPH
         return d;
     }
 
+    static IOobject storedIO(const word& name, const fvMesh& mesh)
+    {
+        return arrayIO(name, mesh, sphMesh::folder, IOobject::MUST_READ);
+    }
+
     static IOdictionary readProperties(const fvMesh& mesh)
     {
-        IOobject io
-        (
-            arrayIO("sphMeshProperties", mesh, folder, IOobject::MUST_READ)
-        );
+        IOobject io(storedIO("sphMeshProperties", mesh));
 
         if (!io.typeHeaderOk<IOdictionary>(true))
         {
@@ -104,22 +56,43 @@ namespace SPH
                 << ". Generate it with sphMesh" << exit(FatalError);
         }
 
-        return IOdictionary(io);
+        IOdictionary properties(io);
+
+        // Before any array, whose sizes mean nothing on another mesh
+        if
+        (
+            properties.get<word>("mesh")
+         != sphMesh::digest(mesh, dictionary::null)
+        )
+        {
+            FatalErrorInFunction
+                << "The particle mesh in " << sphMesh::directory(mesh)
+                << " was generated for another mesh or other patches."
+                << " Regenerate it with sphMesh" << exit(FatalError);
+        }
+
+        return properties;
+    }
+
+    template<class Container>
+    static Container readStored(const word& name, const fvMesh& mesh)
+    {
+        return readArray<Container>(name, mesh, sphMesh::folder);
     }
 
     static particleMeshData readArrays(const fvMesh& mesh)
     {
         particleMeshData data;
-        data.points = readArray<vectorIOField>("points", mesh);
-        data.V = readArray<scalarIOField>("V", mesh);
-        data.spacing = readArray<scalarIOField>("spacing", mesh);
-        data.owner = readArray<labelIOList>("owner", mesh);
-        data.neighbour = readArray<labelIOList>("neighbour", mesh);
-        data.Sf = readArray<vectorIOField>("Sf", mesh);
+        data.points = readStored<vectorIOField>("points", mesh);
+        data.V = readStored<scalarIOField>("V", mesh);
+        data.spacing = readStored<scalarIOField>("spacing", mesh);
+        data.owner = readStored<labelIOList>("owner", mesh);
+        data.neighbour = readStored<labelIOList>("neighbour", mesh);
+        data.Sf = readStored<vectorIOField>("Sf", mesh);
 
         const auto optional = [&](const word& name, vectorField& field)
         {
-            IOobject io(arrayIO(name, mesh, folder, IOobject::MUST_READ));
+            IOobject io(storedIO(name, mesh));
             const bool found = io.typeHeaderOk<vectorIOField>(true);
             if (found)
             {
@@ -134,17 +107,14 @@ namespace SPH
         }
         optional("skew", data.skew);
 
-        data.boundary.owner = readArray<labelIOList>("boundaryOwner", mesh);
-        data.boundary.Sf = readArray<vectorIOField>("boundarySf", mesh);
-        data.boundary.Cf = readArray<vectorIOField>("boundaryCf", mesh);
+        data.boundary.owner = readStored<labelIOList>("boundaryOwner", mesh);
+        data.boundary.Sf = readStored<vectorIOField>("boundarySf", mesh);
+        data.boundary.Cf = readStored<vectorIOField>("boundaryCf", mesh);
         data.boundary.distance =
-            readArray<scalarIOField>("boundaryDistance", mesh);
-        data.boundary.face = readArray<labelIOList>("boundaryFace", mesh);
+            readStored<scalarIOField>("boundaryDistance", mesh);
+        data.boundary.face = readStored<labelIOList>("boundaryFace", mesh);
 
-        const IOdictionary patches
-        (
-            arrayIO("boundary", mesh, folder, IOobject::MUST_READ)
-        );
+        const IOdictionary patches(storedIO("boundary", mesh));
 
         data.boundary.start.setSize(mesh.boundary().size() + 1);
         data.boundary.start[0] = 0;
@@ -167,15 +137,7 @@ namespace SPH
 Foam::SPH::sphMesh::sphMesh(const fvMesh& mesh)
 :
     sphMesh(mesh, readProperties(mesh), readArrays(mesh))
-{
-    if (properties_.get<word>("mesh") != digest(mesh, dictionary::null))
-    {
-        FatalErrorInFunction
-            << "The particle mesh in " << directory(mesh)
-            << " was generated for another mesh or other patches."
-            << " Regenerate it with sphMesh" << exit(FatalError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -225,10 +187,7 @@ Foam::word Foam::SPH::sphMesh::digest
 
 Foam::word Foam::SPH::sphMesh::storedDigest(const fvMesh& mesh)
 {
-    IOobject io
-    (
-        arrayIO("sphMeshProperties", mesh, folder, IOobject::MUST_READ)
-    );
+    IOobject io(storedIO("sphMeshProperties", mesh));
 
     return
         io.typeHeaderOk<IOdictionary>(true)
@@ -237,7 +196,10 @@ Foam::word Foam::SPH::sphMesh::storedDigest(const fvMesh& mesh)
 }
 
 
-void Foam::SPH::sphMesh::writeMesh() const
+void Foam::SPH::sphMesh::writeMesh
+(
+    const UList<particleSet>& solids
+) const
 {
     // A complete new folder replaces the old one at the end, so that an
     // interrupted run leaves no mixture of two particle meshes
@@ -274,7 +236,10 @@ void Foam::SPH::sphMesh::writeMesh() const
     );
     writeArray<labelIOList>("boundaryFace", mesh_, partial, faces.face);
 
-    IOdictionary patches(arrayIO("boundary", mesh_, partial, IOobject::NO_READ));
+    IOdictionary patches
+    (
+        arrayIO("boundary", mesh_, partial, IOobject::NO_READ)
+    );
     for (const sphPatch& patch : boundary())
     {
         dictionary entry;
@@ -282,7 +247,12 @@ void Foam::SPH::sphMesh::writeMesh() const
         entry.add("startFace", patch.start());
         patches.add(patch.name(), entry);
     }
-    patches.regIOobject::write();
+    checkWritten(patches.regIOobject::write(), patches);
+
+    if (solids.size())
+    {
+        writeSolidParticles(mesh_, partial, solids);
+    }
 
     IOdictionary properties
     (
@@ -292,7 +262,7 @@ void Foam::SPH::sphMesh::writeMesh() const
     properties.set("mesh", digest(mesh_, dictionary::null));
     properties.set("nParticles", nParticles());
     properties.set("nPairs", nPairs());
-    properties.regIOobject::write();
+    checkWritten(properties.regIOobject::write(), properties);
 
     rmDir(directory(mesh_), true);
     mv(partialPath, directory(mesh_));
