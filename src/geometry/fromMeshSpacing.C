@@ -31,7 +31,8 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
 )
 :
     space_(surface.space()),
-    slope_(readGrowth(dict, 1.1) - 1)
+    slope_(readGrowth(dict, 1.1) - 1),
+    shifts_(shifts(surface))
 {
     const polyMesh& mesh = surface.mesh();
 
@@ -61,19 +62,6 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
 
     setRange(Foam::min(sizes), Foam::max(sizes));
     tree_.reset(new growthTree(centres, sizes, slope_));
-
-    DynamicList<vector> shifts;
-    shifts.append(vector::zero);
-    for (const vector& period : surface.periods())
-    {
-        const label n = shifts.size();
-        for (label i = 0; i < n; ++i)
-        {
-            shifts.append(vector(shifts[i] + space_.toLocal(period)));
-            shifts.append(vector(shifts[i] - space_.toLocal(period)));
-        }
-    }
-    shifts_.transfer(shifts);
 }
 
 

@@ -102,7 +102,8 @@ Foam::SPH::refinedSpacing::refinedSpacing
 )
 :
     space_(surface.space()),
-    base_(positive(dict, "base"))
+    base_(positive(dict, "base")),
+    shifts_(shifts(surface))
 {
     const dictionary near(dict.subOrEmptyDict("near"));
     const dictionary regions(dict.subOrEmptyDict("regions"));
@@ -149,7 +150,11 @@ Foam::scalar Foam::SPH::refinedSpacing::operator()(const point& p) const
     const point x(space_.toLocal(p));
     forAll(regions_, i)
     {
-        dp = Foam::min(dp, regionGrowth_[i](regions_[i].distance(x)));
+        for (const vector& shift : shifts_)
+        {
+            const scalar d = regions_[i].distance(x + shift);
+            dp = Foam::min(dp, regionGrowth_[i](d));
+        }
     }
 
     forAll(surfaces_, i)

@@ -24,6 +24,31 @@ namespace SPH
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+Foam::List<Foam::vector> Foam::SPH::spacingFunction::shifts
+(
+    const orientedSurface& surface
+)
+{
+    DynamicList<vector> shifts;
+    shifts.append(vector::zero);
+
+    for (const vector& period : surface.periods())
+    {
+        const vector shift(surface.space().toLocal(period));
+        const label n = shifts.size();
+
+        for (label i = 0; i < n; ++i)
+        {
+            const vector start(shifts[i]);
+            shifts.append(start + shift);
+            shifts.append(start - shift);
+        }
+    }
+
+    return List<vector>(std::move(shifts));
+}
+
+
 Foam::scalar Foam::SPH::spacingFunction::positive
 (
     const dictionary& dict,

@@ -95,7 +95,7 @@ int main(int argc, char *argv[])
         )
     );
 
-    particles.writeMesh();
+    particles.writeMesh(generator.solids());
 
     Info<< "    particles: " << particles.nParticles()
         << "  pairs: " << particles.nPairs()

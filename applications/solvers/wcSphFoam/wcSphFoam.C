@@ -1,0 +1,66 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Application
+    wcSphFoam
+
+Description
+    Laminar flow of an incompressible fluid by weakly compressible Eulerian
+    SPH, on the particles of constant/sphMesh and from the fields, properties
+    and controls that icoFoam uses.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "weaklyCompressibleFlow.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Weakly compressible Eulerian SPH solver for laminar flow"
+    );
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+
+    Info<< "Create time\n" << endl;
+    SPH::sphTime runTime(args);
+
+    #include "createMesh.H"
+
+    Info<< "Reading particle mesh\n" << endl;
+    const SPH::sphMesh particles(mesh);
+
+    SPH::weaklyCompressibleFlow flow(runTime, particles);
+
+    Info<< "Starting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        flow.setDeltaT();
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        flow.advance();
+
+        if (runTime.writeTime())
+        {
+            flow.writeTime();
+        }
+
+        runTime.printProgress();
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "boundaryStates.H"
+#include "basicSymmetryFvPatchFields.H"
+#include "fixedNormalSlipFvPatchFields.H"
+#include "fixedValueFvPatchFields.H"
+#include "noSlipFvPatchVectorField.H"
+#include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::SPH::boundaryStates::isGiven(const fvPatchField<Type>& patchField)
+{
+    return
+        patchField.type() == fixedValueFvPatchField<Type>::typeName
+     || patchField.type() == noSlipFvPatchVectorField::typeName;
+}
+
+
+template<class Type>
+bool Foam::SPH::boundaryStates::isOwn(const fvPatchField<Type>& patchField)
+{
+    return
+        patchField.type() == zeroGradientFvPatchField<Type>::typeName
+     || isA<basicSymmetryFvPatchField<Type>>(patchField);
+}
+
+
+Foam::SPH::faceStates::treatment
+Foam::SPH::boundaryStates::patchTreatment
+(
+    const label patchi,
+    const bool viscous
+) const
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    if
+    (
+        isA<basicSymmetryFvPatchField<vector>>(Up)
+     || isA<fixedNormalSlipFvPatchField<vector>>(Up)
+    )
+    {
+        return slip;
+    }
+
+    if
+    (
+        isA<wallFvPatch>(Up.patch())
+     || isA<noSlipFvPatchVectorField>(Up)
+    )
+    {
+        return viscous ? noSlip : slip;
+    }
+
+    return open;
+}
+
+
+void Foam::SPH::boundaryStates::classify(const bool viscous)
+{
+    DynamicList<label> evaluated;
+
+    for (const sphPatch& patch : particles_.boundary())
+    {
+        const label patchi = patch.index();
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const treatment type = patchTreatment(patchi, viscous);
+
+        bool evaluate =
+            type != slip && !isGiven(Up) && !isOwn(Up);
+
+        for (const scalarVariable& s : scalars_)
+        {
+            const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
+            const bool own = isOwn(sp);
+            const bool fixed = sp.fixesValue() && (type == open || viscous);
+
+            SubList<bool>(own_[s.variable], patch.size(), patch.start()) = own;
+            SubList<bool>(fixed_[s.variable], patch.size(), patch.start()) =
+                fixed;
+
+            evaluate = evaluate || (!own && !isGiven(sp));
+        }
+
+        const bool UFixed =
+            type != slip && (Up.fixesValue() || type == noSlip);
+
+        for (label d = 0; d < particles_.nDims(); ++d)
+        {
+            SubList<bool>(own_[1 + d], patch.size(), patch.start()) =
+                type == open && isOwn(Up);
+            SubList<bool>(fixed_[1 + d], patch.size(), patch.start()) = UFixed;
+        }
+
+        SubList<treatment>(treatment_, patch.size(), patch.start()) = type;
+
+        if (evaluate && patch.size())
+        {
+            evaluated.append(patchi);
+        }
+    }
+
+    evaluatedPatches_.transfer(evaluated);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,225 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "conservationLaw.H"
+#include "compat.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    defineTypeNameAndDebug(conservationLaw, 0);
+    defineRunTimeSelectionTable(conservationLaw, weaklyCompressible);
+    defineRunTimeSelectionTable(conservationLaw, compressible);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::conservationLaw::setGeometry()
+{
+    const label nDims = particles_.nDims();
+
+    for (label i = 0; i < V_.size(); ++i)
+    {
+        const bool padding = i >= particles_.nParticles();
+        V_[0][i] = padding ? 1 : particles_.V()[i];
+        rSpacing_[0][i] = padding ? 0 : 1/particles_.spacing()[i];
+    }
+
+    vectorField residual(particles_.nParticles(), Zero);
+
+    forAll(particles_.owner(), pairi)
+    {
+        const vector A(particles_.space().toLocal(particles_.Sf()[pairi]));
+        const vector& delta = particles_.delta()[pairi];
+        const scalar weight =
+            mag(particles_.Sf()[pairi] & delta)/magSqr(delta);
+
+        for (const bool atOwner : {true, false})
+        {
+            const label i =
+                atOwner
+              ? particles_.owner()[pairi]
+              : particles_.neighbour()[pairi];
+
+            residual[i] += atOwner ? A : -A;
+            diffusionWeight_[0][i] += weight;
+        }
+    }
+
+    forAll(faces_.owners(), k)
+    {
+        const label i = faces_.owners()[k];
+        for (const label facei : faces_.faces(k))
+        {
+            residual[i] += faces_.magSf()[facei]*faces_.n()[facei];
+            diffusionWeight_[0][i] +=
+                2*faces_.magSf()[facei]/faces_.distance()[facei];
+        }
+    }
+
+    // Sums of some twenty areas that close but for round-off and the
+    // tolerance of an iterative closure
+    constexpr scalar roundOff = 1e-11;
+
+    closed_ = true;
+    forAll(residual, i)
+    {
+        const scalar area = particles_.V()[i]/particles_.spacing()[i];
+        if (mag(residual[i]) > roundOff*area)
+        {
+            closed_ = false;
+        }
+    }
+
+    if (!closed_)
+    {
+        forAll(residual, i)
+        {
+            for (label d = 0; d < nDims; ++d)
+            {
+                residualArea_[d][i] = residual[i][d];
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::conservationLaw::conservationLaw
+(
+    faceStates& faces,
+    const label nVariables
+)
+:
+    particles_(faces.particles()),
+    faces_(faces),
+    pairs_(particles_),
+    V_(1, pairs_.nSlices()),
+    rSpacing_(1, pairs_.nSlices()),
+    diffusionWeight_(1, pairs_.nSlices()),
+    residualArea_(particles_.nDims(), pairs_.nSlices()),
+    closed_(false),
+    Q_(nVariables, pairs_.nSlices()),
+    Q0_(nVariables, pairs_.nSlices()),
+    W_(nVariables, pairs_.nSlices()),
+    R_(nVariables, pairs_.nSlices()),
+    nFallbacks_(0)
+{
+    setGeometry();
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::conservationLaw::New
+(
+    const dictionary& schemes,
+    const weaklyCompressibleFluid& fluid,
+    faceStates& faces
+)
+{
+    const word scheme
+    (
+        schemes.getOrDefault<word>("fluxScheme", "linearisedLimited")
+    );
+
+    const auto cstrIter =
+        weaklyCompressibleConstructorTablePtr_->cfind(scheme);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInFunction(schemes)
+            << "Unknown fluxScheme " << scheme << nl << nl
+            << "Valid flux schemes of weakly compressible flow:" << nl
+            << weaklyCompressibleConstructorTablePtr_->sortedToc()
+            << exit(FatalIOError);
+    }
+
+    return cstrIter()(schemes, fluid, faces);
+}
+
+
+Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::conservationLaw::New
+(
+    const dictionary& schemes,
+    const perfectGasFluid& fluid,
+    faceStates& faces
+)
+{
+    const word scheme(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
+
+    const auto cstrIter = compressibleConstructorTablePtr_->cfind(scheme);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInFunction(schemes)
+            << "Unknown fluxScheme " << scheme << nl << nl
+            << "Valid flux schemes of compressible flow:" << nl
+            << compressibleConstructorTablePtr_->sortedToc()
+            << exit(FatalIOError);
+    }
+
+    return cstrIter()(schemes, fluid, faces);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::SPH::conservationLaw::conserved
+(
+    const label v
+) const
+{
+    return tmp<scalarField>::New(UList<scalar>
+    (
+        const_cast<scalar*>(Q_[v]), particles_.nParticles()
+    ));
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::SPH::conservationLaw::primitive
+(
+    const label v
+) const
+{
+    return tmp<scalarField>::New(UList<scalar>
+    (
+        const_cast<scalar*>(W_[v]), particles_.nParticles()
+    ));
+}
+
+
+void Foam::SPH::conservationLaw::info(Ostream& os) const
+{
+    os  << "    particles " << (closed_ ? "closed" : "not all closed")
+        << nl;
+}
+
+
+Foam::label Foam::SPH::conservationLaw::nFallbacks()
+{
+    const label n = nFallbacks_;
+    nFallbacks_ = 0;
+    return n;
+}
+
+
+void Foam::SPH::conservationLaw::store()
+{
+    Q0_ = Q_;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,83 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "faceStates.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::faceStates::faceStates
+(
+    const sphMesh& particles,
+    const label nVariables
+)
+:
+    particles_(particles),
+    treatment_(particles.boundary().nFaces(), open),
+    value_(nVariables),
+    own_(nVariables),
+    fixed_(nVariables),
+    n_(treatment_.size()),
+    relative_(treatment_.size()),
+    magSf_(treatment_.size()),
+    pressureForce_(treatment_.size(), Zero),
+    viscousForce_(treatment_.size(), Zero),
+    massFlux_(treatment_.size(), Zero)
+{
+    const boundaryFaces& faces = particles.boundary().faces();
+
+    forAll(value_, variable)
+    {
+        value_[variable].setSize(treatment_.size(), Zero);
+        own_[variable].setSize(treatment_.size(), false);
+        fixed_[variable].setSize(treatment_.size(), false);
+    }
+
+    forAll(n_, facei)
+    {
+        const vector A(particles.space().toLocal(faces.Sf[facei]));
+        magSf_[facei] = mag(A);
+        n_[facei] = A/max(magSf_[facei], ROOTVSMALL);
+        relative_[facei] = particles.space().toLocal
+        (
+            faces.Cf[facei] - particles.C()[faces.owner[facei]]
+        );
+    }
+
+    labelList nFaces(particles.nParticles(), Zero);
+    for (const label i : faces.owner)
+    {
+        ++nFaces[i];
+    }
+
+    labelList index(particles.nParticles(), -1);
+    DynamicList<label> owners(faces.owner.size());
+    DynamicList<label> start(faces.owner.size() + 1);
+    start.append(0);
+    forAll(nFaces, i)
+    {
+        if (nFaces[i])
+        {
+            index[i] = owners.size();
+            owners.append(i);
+            start.append(start.last() + nFaces[i]);
+        }
+    }
+    owners_.transfer(owners);
+    start_.transfer(start);
+
+    faces_.setSize(faces.owner.size());
+    labelList next(start_);
+    forAll(faces.owner, facei)
+    {
+        faces_[next[index[faces.owner[facei]]]++] = facei;
+    }
+}
+
+
+// ************************************************************************* //

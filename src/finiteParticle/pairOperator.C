@@ -1,0 +1,352 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pairOperator.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Flux, class Limiter, bool Viscous>
+inline typename Flux::vars
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::load
+(
+    const slicedField& field,
+    const label i
+)
+{
+    vars values;
+    for (int v = 0; v < nVars; ++v)
+    {
+        values[v] = field[v][i];
+    }
+    return values;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
+(
+    const vars& values,
+    slicedField& field,
+    const label i
+)
+{
+    for (int v = 0; v < nVars; ++v)
+    {
+        field[v][i] = values[v];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class Flux, class Limiter, bool Viscous>
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
+(
+    const Flux& flux,
+    const dictionary& schemes,
+    faceStates& faces
+)
+:
+    conservationLaw(faces, nVars),
+    flux_(flux),
+    quadraticWall_
+    (
+        Limiter::linear
+     && schemes.getOrDefault<word>("wallGradient", "quadratic") == "quadratic"
+    ),
+    G_(Limiter::linear ? nVars*nDims : 0, pairs_.nSlices()),
+    gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::info(Ostream& os) const
+{
+    conservationLaw::info(os);
+
+    if (Limiter::linear)
+    {
+        os  << "    particles with an unresolved gradient direction: "
+            << gradientWeights_->nDeficient() << nl;
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setPrimitive
+(
+    const UList<scalarField>& W
+)
+{
+    for (label i = 0; i < Q_.size(); ++i)
+    {
+        vars values;
+        for (int v = 0; v < nVars; ++v)
+        {
+            values[v] = W[v][min(i, W[v].size() - 1)];
+        }
+        save(values, W_, i);
+        save(flux_.conserved(values), Q_, i);
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setConserved
+(
+    const UList<scalarField>& Q
+)
+{
+    for (label i = 0; i < Q_.size(); ++i)
+    {
+        vars values;
+        for (int v = 0; v < nVars; ++v)
+        {
+            values[v] = Q[v][min(i, Q[v].size() - 1)];
+        }
+        save(values, Q_, i);
+        save(flux_.primitive(values), W_, i);
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
+{
+    Q_ = Q0_;
+    for (label i = 0; i < Q_.size(); ++i)
+    {
+        save(flux_.primitive(load(Q_, i)), W_, i);
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
+{
+    const label nSlices = pairs_.nSlices();
+    const label nOwners = faces_.owners().size();
+    const bool skewed = pairs_.skewed();
+    label nFallbacks = 0;
+
+    #pragma omp parallel reduction(+:nFallbacks)
+    {
+        if constexpr (Limiter::linear)
+        {
+            #pragma omp for
+            for (label slice = 0; slice < nSlices; ++slice)
+            {
+                gradients(slice);
+            }
+
+            #pragma omp for
+            for (label k = 0; k < nOwners; ++k)
+            {
+                addFaceGradients(k);
+            }
+
+            if constexpr (Limiter::byParticle)
+            {
+                #pragma omp for
+                for (label slice = 0; slice < nSlices; ++slice)
+                {
+                    limitGradients(slice);
+                }
+            }
+        }
+
+        #pragma omp for
+        for (label slice = 0; slice < nSlices; ++slice)
+        {
+            nFallbacks +=
+                skewed ? pairFluxes<true>(slice) : pairFluxes<false>(slice);
+        }
+
+        #pragma omp for
+        for (label k = 0; k < nOwners; ++k)
+        {
+            addFaceFluxes(k);
+        }
+    }
+
+    nFallbacks_ += nFallbacks;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
+(
+    const scalar a,
+    const scalar bDt,
+    const label first,
+    const label last
+)
+{
+    const Flux flux(flux_);
+    const label n = particles_.nParticles();
+    bool admissible = true;
+
+    #pragma omp parallel for reduction(&&:admissible)
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar rate = bDt/V_[0][i];
+
+        for (label v = first; v < last; ++v)
+        {
+            Q_[v][i] =
+                (1 - a)*Q_[v][i] + a*Q0_[v][i] + rate*R_[v][i];
+        }
+
+        const vars W(flux.primitive(load(Q_, i)));
+        save(W, W_, i);
+        admissible = admissible && flux.admissible(W);
+    }
+
+    return admissible;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::acousticRate
+(
+    scalar& largest,
+    scalar& mean
+) const
+{
+    largest = 0;
+    mean = 0;
+    for (label i = 0; i < particles_.nParticles(); ++i)
+    {
+        const scalar rate = flux_.waveSpeed(load(W_, i))*rSpacing_[0][i];
+        largest = max(largest, rate);
+        mean += rate;
+    }
+    mean /= particles_.nParticles();
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
+(
+    const scalar maxCo
+) const
+{
+    // Real stability limit of the weakest time scheme, the eigenvalues of
+    // the diffusive operator being up to twice its diagonal
+    constexpr scalar maxDiffusion = 0.8;
+
+    const label n = particles_.nParticles();
+    scalar largest = 0;
+
+    #pragma omp parallel for reduction(max:largest)
+    for (label i = 0; i < n; ++i)
+    {
+        const vars W(load(W_, i));
+        scalar rate = flux_.waveSpeed(W)*rSpacing_[0][i]/maxCo;
+        if (Viscous)
+        {
+            rate +=
+                flux_.diffusivity(W)*diffusionWeight_[0][i]
+               /(V_[0][i]*maxDiffusion);
+        }
+        largest = max(largest, rate);
+    }
+
+    return largest;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+template<class Flux>
+Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
+(
+    const Flux& flux,
+    const word& defaultLimiter,
+    const bool viscous,
+    const dictionary& schemes,
+    faceStates& faces
+)
+{
+    const auto select = [&](auto limiter)
+    {
+        using Limiter = decltype(limiter);
+
+        return autoPtr<conservationLaw>
+        (
+            viscous
+          ? static_cast<conservationLaw*>
+            (
+                new pairOperator<Flux, Limiter, true>(flux, schemes, faces)
+            )
+          : new pairOperator<Flux, Limiter, false>(flux, schemes, faces)
+        );
+    };
+
+    const word reconstruction
+    (
+        schemes.getOrDefault<word>("reconstruction", "linear")
+    );
+    const word limiter(schemes.getOrDefault<word>("limiter", defaultLimiter));
+    const word wallGradient
+    (
+        schemes.getOrDefault<word>("wallGradient", "quadratic")
+    );
+
+    const auto check = [&]
+    (
+        const word& entry,
+        const word& value,
+        const wordList& choices
+    )
+    {
+        if (!choices.found(value))
+        {
+            FatalIOErrorInFunction(schemes)
+                << "Unknown " << entry << " " << value << nl << nl
+                << "Valid choices:" << nl << choices << exit(FatalIOError);
+        }
+    };
+
+    check("reconstruction", reconstruction, {"linear", "none"});
+    check
+    (
+        "limiter",
+        limiter,
+        {"BarthJespersen", "Minmod", "none", "vanAlbada", "vanLeer"}
+    );
+    check("wallGradient", wallGradient, {"linear", "quadratic"});
+
+    if (reconstruction == "none")
+    {
+        return select(limiters::firstOrder());
+    }
+    if (limiter == "BarthJespersen")
+    {
+        return select(limiters::BarthJespersen());
+    }
+    if (limiter == "Minmod")
+    {
+        return select(limiters::Minmod());
+    }
+    if (limiter == "vanAlbada")
+    {
+        return select(limiters::vanAlbada());
+    }
+    if (limiter == "vanLeer")
+    {
+        return select(limiters::vanLeer());
+    }
+    return select(limiters::none());
+}
+
+
+// ************************************************************************* //

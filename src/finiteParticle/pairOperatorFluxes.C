@@ -1,0 +1,322 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pairOperator.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Flux, class Limiter, bool Viscous>
+template<bool Skewed>
+inline Foam::label
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
+(
+    const label slice
+)
+{
+    const Flux flux(flux_);
+    const label i0 = slice*nLanes;
+    const int* neighbour = pairs_.neighbour();
+    const scalar* magSfs = pairs_.magSf();
+    const scalar* gradWeights = pairs_.gradWeight();
+
+    const scalar* W[nVars];
+    const scalar* G[nVars*nDims];
+    for (int v = 0; v < nVars; ++v)
+    {
+        W[v] = W_[v];
+        for (int d = 0; d < nDims && Limiter::linear; ++d)
+        {
+            G[v*nDims + d] = G_[v*nDims + d];
+        }
+    }
+    const scalar* normals[nDims];
+    const scalar* deltas[nDims];
+    const scalar* skews[nDims];
+    for (int d = 0; d < nDims; ++d)
+    {
+        normals[d] = pairs_.n(d);
+        deltas[d] = pairs_.delta(d);
+        skews[d] = pairs_.skew(d);
+    }
+
+    scalar rate[nVars][nLanes] = {};
+    scalar fallback[nLanes] = {};
+
+    for (label row = pairs_.start(slice); row < pairs_.start(slice + 1); ++row)
+    {
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const std::size_t e = std::size_t(row)*nLanes + lane;
+            const label i = i0 + lane;
+            const label j = neighbour[e];
+            const bool atOwner = j > i;
+            const scalar sign = atOwner ? 1 : -1;
+
+            vec n;
+            vec delta;
+            for (int d = 0; d < nDims; ++d)
+            {
+                n[d] = normals[d][e];
+                delta[d] = deltas[d][e];
+            }
+
+            vars I;
+            vars J;
+            for (int v = 0; v < nVars; ++v)
+            {
+                I[v] = W[v][i];
+                J[v] = W[v][j];
+            }
+
+            vars stateI(I);
+            vars stateJ(J);
+            if constexpr (Limiter::linear)
+            {
+                for (int v = 0; v < nVars; ++v)
+                {
+                    scalar stepI = 0;
+                    scalar stepJ = 0;
+                    for (int d = 0; d < nDims; ++d)
+                    {
+                        const scalar half = 0.5*sign*delta[d];
+                        const scalar skew = Skewed ? skews[d][e] : 0;
+                        stepI += G[v*nDims + d][i]*(skew + half);
+                        stepJ += G[v*nDims + d][j]*(skew - half);
+                    }
+                    stateI[v] += Limiter::increment(stepI, J[v] - I[v]);
+                    stateJ[v] += Limiter::increment(stepJ, I[v] - J[v]);
+                }
+
+                const bool physical =
+                    flux.physical(stateI) & flux.physical(stateJ);
+                for (int v = 0; v < nVars; ++v)
+                {
+                    stateI[v] = physical ? stateI[v] : I[v];
+                    stateJ[v] = physical ? stateJ[v] : J[v];
+                }
+                fallback[lane] += physical ? 0 : 1;
+            }
+
+            vars L;
+            vars R;
+            for (int v = 0; v < nVars; ++v)
+            {
+                L[v] = atOwner ? stateI[v] : stateJ[v];
+                R[v] = atOwner ? stateJ[v] : stateI[v];
+            }
+
+            const vars F(flux.pairFlux(L, R, I, n));
+            const scalar area = sign*magSfs[e];
+            for (int v = 0; v < nVars; ++v)
+            {
+                rate[v][lane] -= area*F[v];
+            }
+
+            if constexpr (Viscous)
+            {
+                vars owner;
+                vars other;
+                for (int v = 0; v < nVars; ++v)
+                {
+                    owner[v] = atOwner ? I[v] : J[v];
+                    other[v] = atOwner ? J[v] : I[v];
+                }
+
+                const auto meanGradient = [&](const int v, const int d)
+                {
+                    if constexpr (Limiter::linear)
+                    {
+                        return
+                            0.5*(G[v*nDims + d][i] + G[v*nDims + d][j]);
+                    }
+                    else
+                    {
+                        return scalar(0);
+                    }
+                };
+
+                vars viscous(vars::zero());
+                flux.addViscous
+                (
+                    owner, other, meanGradient,
+                    n, magSfs[e], delta, gradWeights[e],
+                    viscous
+                );
+                for (int v = 0; v < nVars; ++v)
+                {
+                    rate[v][lane] -= sign*viscous[v];
+                }
+            }
+        }
+    }
+
+    for (int v = 0; v < nVars; ++v)
+    {
+        scalar* R = R_[v] + i0;
+
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            R[lane] = rate[v][lane];
+        }
+    }
+
+    if (!closed_)
+    {
+        for (label i = i0; i < i0 + nLanes; ++i)
+        {
+            vec a;
+            for (int d = 0; d < nDims; ++d)
+            {
+                a[d] = residualArea_[d][i];
+            }
+            const vars F(flux.flux(load(W_, i), a));
+            for (int v = 0; v < nVars; ++v)
+            {
+                R_[v][i] -= F[v];
+            }
+        }
+    }
+
+    label nFallbacks = 0;
+    if constexpr (Limiter::linear)
+    {
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            nFallbacks += label(fallback[lane]);
+        }
+    }
+    return nFallbacks;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline typename Flux::vars
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
+(
+    const label i,
+    const label facei
+) const
+{
+    const vars I(load(W_, i));
+
+    if constexpr (Limiter::linear)
+    {
+        vec x;
+        for (int d = 0; d < nDims; ++d)
+        {
+            x[d] = faces_.relative()[facei][d];
+        }
+
+        vars state(I);
+        for (int v = 0; v < nVars; ++v)
+        {
+            state[v] += Limiter::boundaryIncrement(increment(v, i, x));
+        }
+        return flux_.physical(state) ? state : I;
+    }
+    else
+    {
+        return I;
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline typename Flux::vars
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
+(
+    const label i,
+    const label facei,
+    const vars& outer,
+    const vec& n
+) const
+{
+    const vars I(load(W_, i));
+    const bool wall = faces_.type(facei) == faceStates::noSlip;
+    const scalar r = faces_.distance()[facei];
+
+    vars normalGradient(vars::zero());
+    for (int v = 0; v < nVars; ++v)
+    {
+        if (!faces_.own(v, facei))
+        {
+            normalGradient[v] = (outer[v] - I[v])/r;
+
+            if constexpr (Limiter::linear)
+            {
+                if (wall && quadraticWall_)
+                {
+                    normalGradient[v] =
+                        2*normalGradient[v] - increment(v, i, n);
+                }
+            }
+        }
+    }
+
+    return flux_.viscousBoundaryFlux(outer, normalGradient, n);
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
+(
+    const label k
+)
+{
+    const label i = faces_.owners()[k];
+    const vars I(load(W_, i));
+
+    for (const label facei : faces_.faces(k))
+    {
+        vec n;
+        for (int d = 0; d < nDims; ++d)
+        {
+            n[d] = faces_.n()[facei][d];
+        }
+
+        const vars L(faceState(i, facei));
+        vars outer;
+        for (int v = 0; v < nVars; ++v)
+        {
+            outer[v] = faces_.own(v, facei) ? L[v] : faces_.value(v, facei);
+        }
+
+        const auto type = faces_.type(facei);
+        const typename Flux::faceFlux F
+        (
+            type == faceStates::open
+          ? flux_.openFlux(L, outer, I, n)
+          : flux_.wallFlux(L, outer, I, n)
+        );
+
+        vars viscous(vars::zero());
+        if (Viscous && type != faceStates::slip)
+        {
+            viscous = faceViscousFlux(i, facei, outer, n);
+        }
+
+        const scalar magSf = faces_.magSf()[facei];
+        for (int v = 0; v < nVars; ++v)
+        {
+            R_[v][i] -= magSf*(F.difference[v] + viscous[v]);
+        }
+
+        faces_.massFlux()[facei] = magSf*F.mass;
+        for (int d = 0; d < nDims; ++d)
+        {
+            faces_.pressureForce()[facei][d] = magSf*F.momentum[d];
+            faces_.viscousForce()[facei][d] = magSf*viscous[1 + d];
+        }
+    }
+}
+
+
+// ************************************************************************* //

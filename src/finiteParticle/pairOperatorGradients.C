@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pairOperator.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
+(
+    const label slice
+)
+{
+    const label i0 = slice*nLanes;
+    const int* neighbour = pairs_.neighbour();
+    const scalar* magSf = pairs_.magSf();
+
+    const scalar* W[nVars];
+    for (int v = 0; v < nVars; ++v)
+    {
+        W[v] = W_[v];
+    }
+    const scalar* n[nDims];
+    for (int d = 0; d < nDims; ++d)
+    {
+        n[d] = pairs_.n(d);
+    }
+
+    scalar sum[nVars*nDims][nLanes] = {};
+
+    for (label row = pairs_.start(slice); row < pairs_.start(slice + 1); ++row)
+    {
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const std::size_t e = std::size_t(row)*nLanes + lane;
+            const label i = i0 + lane;
+            const label j = neighbour[e];
+            const scalar halfArea = j > i ? 0.5*magSf[e] : -0.5*magSf[e];
+
+            for (int v = 0; v < nVars; ++v)
+            {
+                const scalar difference = halfArea*(W[v][j] - W[v][i]);
+                for (int d = 0; d < nDims; ++d)
+                {
+                    sum[v*nDims + d][lane] += difference*n[d][e];
+                }
+            }
+        }
+    }
+
+    for (int v = 0; v < nVars; ++v)
+    {
+        const slicedField& B = (*gradientWeights_)[v];
+        for (int a = 0; a < nDims; ++a)
+        {
+            scalar* G = G_[v*nDims + a] + i0;
+
+            #pragma omp simd
+            for (label lane = 0; lane < nLanes; ++lane)
+            {
+                scalar g = 0;
+                for (int b = 0; b < nDims; ++b)
+                {
+                    g += B[a*nDims + b][i0 + lane]*sum[v*nDims + b][lane];
+                }
+                G[lane] = g;
+            }
+        }
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
+(
+    const label k
+)
+{
+    const label i = faces_.owners()[k];
+
+    for (const label facei : faces_.faces(k))
+    {
+        for (int v = 0; v < nVars; ++v)
+        {
+            if (faces_.fixed(v, facei))
+            {
+                const slicedField& B = (*gradientWeights_)[v];
+                const scalar difference =
+                    faces_.magSf()[facei]
+                   *(faces_.value(v, facei) - W_[v][i]);
+
+                for (int a = 0; a < nDims; ++a)
+                {
+                    for (int b = 0; b < nDims; ++b)
+                    {
+                        G_[v*nDims + a][i] +=
+                            B[a*nDims + b][i]
+                           *difference*faces_.n()[facei][b];
+                    }
+                }
+            }
+        }
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
+(
+    const label slice
+)
+{
+    const label i0 = slice*nLanes;
+    const label start = pairs_.start(slice);
+    const label end = pairs_.start(slice + 1);
+    const int* neighbour = pairs_.neighbour();
+
+    // Quotients of differences below round-off are harmless
+    constexpr scalar tiny = 1e-300;
+
+    for (int v = 0; v < nVars; ++v)
+    {
+        const scalar* W = W_[v];
+        scalar lowest[nLanes] = {};
+        scalar highest[nLanes] = {};
+        scalar limiter[nLanes];
+
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            limiter[lane] = 1;
+        }
+
+        for (label row = start; row < end; ++row)
+        {
+            #pragma omp simd
+            for (label lane = 0; lane < nLanes; ++lane)
+            {
+                const std::size_t e = std::size_t(row)*nLanes + lane;
+                const scalar difference = W[neighbour[e]] - W[i0 + lane];
+                lowest[lane] =
+                    difference < lowest[lane] ? difference : lowest[lane];
+                highest[lane] =
+                    difference > highest[lane] ? difference : highest[lane];
+            }
+        }
+
+        for (label row = start; row < end; ++row)
+        {
+            #pragma omp simd
+            for (label lane = 0; lane < nLanes; ++lane)
+            {
+                const std::size_t e = std::size_t(row)*nLanes + lane;
+                scalar halfStep = 0;
+                for (int d = 0; d < nDims; ++d)
+                {
+                    halfStep +=
+                        G_[v*nDims + d][i0 + lane]*pairs_.delta(d)[e];
+                }
+                halfStep *= neighbour[e] > i0 + lane ? 0.5 : -0.5;
+
+                const scalar bound =
+                    halfStep > 0 ? highest[lane] : -lowest[lane];
+                const scalar size = halfStep > 0 ? halfStep : -halfStep;
+                const scalar allowed = bound/(size + tiny);
+
+                limiter[lane] =
+                    size > bound && allowed < limiter[lane]
+                  ? allowed
+                  : limiter[lane];
+            }
+        }
+
+        for (int d = 0; d < nDims; ++d)
+        {
+            scalar* G = G_[v*nDims + d] + i0;
+
+            #pragma omp simd
+            for (label lane = 0; lane < nLanes; ++lane)
+            {
+                G[lane] *= limiter[lane];
+            }
+        }
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline Foam::scalar
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::increment
+(
+    const int v,
+    const label i,
+    const vec& x
+) const
+{
+    scalar e = 0;
+    for (int d = 0; d < nDims; ++d)
+    {
+        e += G_[v*nDims + d][i]*x[d];
+    }
+    return e;
+}
+
+
+// ************************************************************************* //

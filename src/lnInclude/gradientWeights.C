@@ -1,0 +1,1 @@
+../finiteParticle/gradientWeights.C

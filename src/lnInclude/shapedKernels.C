@@ -1,0 +1,1 @@
+../kernels/shapedKernels.C

@@ -1,0 +1,1 @@
+../sphMesh/sphBoundaryMesh.C

@@ -1,0 +1,1 @@
+../sphMesh/sphMesh.C

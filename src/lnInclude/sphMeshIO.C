@@ -1,0 +1,1 @@
+../sphMesh/sphMeshIO.C

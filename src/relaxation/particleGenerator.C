@@ -1,0 +1,343 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleGenerator.H"
+#include "latticeStart.H"
+#include "periodicImages.H"
+#include "relaxation.H"
+#include "spaceFillingCurve.H"
+#include "volFields.H"
+#include "OSspecific.H"
+#include "Random.H"
+#include "UIndirectList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- A region without any boundary: everything is deep inside
+    class unbounded
+    :
+        public signedDistance
+    {
+    public:
+
+        virtual nearest find(const point& p) const
+        {
+            nearest n;
+            n.distance = -GREAT;
+            n.hit = p;
+            return n;
+        }
+
+        virtual boundBox bounds() const
+        {
+            return boundBox::greatBox;
+        }
+    };
+
+    static const unbounded everywhere;
+
+    template<class Type>
+    static List<Type> reordered(const UList<Type>& list, const labelList& order)
+    {
+        return List<Type>(UIndirectList<Type>(list, order));
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::particleGenerator::readLattice()
+{
+    word type("square");
+
+    if (dict_.isDict("lattice"))
+    {
+        const dictionary& dict = dict_.subDict("lattice");
+        type = dict.lookupOrDefault<word>("type", type);
+        jitter_ = dict.lookupOrDefault<scalar>("jitter", 0);
+        seed_ = dict.lookupOrDefault<label>("seed", 1);
+
+        if (jitter_ < 0 || jitter_ > 0.5)
+        {
+            FatalIOErrorInFunction(dict)
+                << "jitter " << jitter_ << " is outside the range 0 to 0.5"
+                << exit(FatalIOError);
+        }
+    }
+    else
+    {
+        type = dict_.lookupOrDefault<word>("lattice", type);
+    }
+
+    if (!latticePattern::patternTypeNames.found(type))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Unknown lattice '" << type << "'. Valid lattices: "
+            << latticePattern::patternTypeNames.sortedToc()
+            << exit(FatalIOError);
+    }
+
+    pattern_.reset
+    (
+        new latticePattern
+        (
+            latticePattern::patternTypeNames[type],
+            space_.nDims()
+        )
+    );
+}
+
+
+void Foam::SPH::particleGenerator::setDomain()
+{
+    const boundBox box(mesh_.bounds());
+    domain_.low = space_.toLocal(box.min());
+    domain_.high = space_.toLocal(box.max());
+    domain_.fluidVolume = gSum(mesh_.V())/space_.thickness();
+    domain_.minSpacing = spacing_->min();
+
+    for (const vector& T : periodicTranslations(mesh_))
+    {
+        domain_.translations.append(space_.toLocal(T));
+    }
+    if (!spacing_->uniform())
+    {
+        domain_.spacing = [this](const point& p) { return (*spacing_)(p); };
+    }
+
+    bool bounded = false;
+    for (const orientedSurface::element& e : surface_.elements())
+    {
+        bounded = bounded || !e.coupled;
+    }
+    if (bounded)
+    {
+        region_.reset
+        (
+            new surfaceDistance(surface_, 4*kernel_->support(spacing_->max()))
+        );
+    }
+
+    List<const signedDistance*> operands;
+    operands.append(region_.valid() ? region_.get() : nullptr);
+    for (const solidBody& body : bodies_)
+    {
+        if (body.patches().empty())
+        {
+            operands.append(&body.distance());
+            domain_.fluidVolume -= body.surface().volume();
+        }
+    }
+    if (operands.size() > 1)
+    {
+        operands[0] = region_.valid() ? operands[0] : &everywhere;
+        subtracted_.reset
+        (
+            new booleanDistance(booleanDistance::operation::subtract, operands)
+        );
+    }
+
+    const scalar ratio = kernel_->smoothingRatio();
+    domain_.bodies.append
+    ({
+        "fluid",
+        bounded || subtracted_.valid() ? &fluidDistance() : nullptr,
+        ratio
+    });
+    for (const solidBody& body : bodies_)
+    {
+        domain_.bodies.append
+        ({
+            body.name(), &body.distance(), body.smoothingRatio()
+        });
+    }
+}
+
+
+Foam::SPH::particleSet Foam::SPH::particleGenerator::extract
+(
+    const particleSystem& particles,
+    const label bodyi
+) const
+{
+    DynamicList<point> points;
+    DynamicList<scalar> spacing;
+    for (label i = 0; i < particles.nParticles(); ++i)
+    {
+        if (particles.role[i] == bodyi)
+        {
+            points.append(space_.position(particles.position(i)));
+            spacing.append(particles.spacing[i]);
+        }
+    }
+
+    particleSet set;
+    set.name = domain_.bodies[bodyi].name;
+    set.smoothingRatio = domain_.bodies[bodyi].smoothingRatio;
+    set.points.transfer(points);
+    set.spacing.transfer(spacing);
+
+    return set;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::particleGenerator::particleGenerator
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    dict_(dict),
+    space_(mesh),
+    kernel_(kernel::New(dict.subOrEmptyDict("kernel"), space_.nDims())),
+    surface_(mesh, space_),
+    spacing_(spacingFunction::New(surface_, dict_)),
+    bodies_(surface_, dict_, kernel_->smoothingRatio()),
+    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, {}}
+{
+    readLattice();
+    bodies_.checkSize(*spacing_);
+    setDomain();
+    method_ = relaxationMethod::New
+    (
+        dict_.subOrEmptyDict("relaxation"),
+        domain_
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::SPH::signedDistance&
+Foam::SPH::particleGenerator::fluidDistance() const
+{
+    if (subtracted_.valid())
+    {
+        return *subtracted_;
+    }
+    if (region_.valid())
+    {
+        return *region_;
+    }
+    return everywhere;
+}
+
+
+void Foam::SPH::particleGenerator::estimate(Ostream& os) const
+{
+    const latticeStart lattice(domain_, *pattern_);
+    const scalar n =
+        domain_.fluidVolume/domain_.volume(lattice.spacing());
+
+    // Per particle: positions, lists of some 20 or 70 neighbours, areas
+    const scalar bytes = space_.nDims() == 3 ? 4000 : 1200;
+
+    os  << "Particles, about: " << label(n) << nl
+        << "Spacing: " << lattice.spacing() << " m" << nl
+        << "Lattice cells near surfaces: " << lattice.nNearCells() << nl
+        << "Memory, about: " << label(n*bytes/1048576) + 1 << " MiB" << nl
+        << endl;
+}
+
+
+void Foam::SPH::particleGenerator::generate()
+{
+    Info<< "Lattice" << endl;
+    const latticeStart lattice(domain_, *pattern_);
+    const staticSupport support
+    (
+        domain_,
+        *pattern_,
+        method_->sharedInterfaces()
+    );
+    particleStart start;
+    lattice.generate(support, start);
+    domain_.minSpacing = lattice.spacing();
+
+    const labelList order(spaceFillingOrder(start.points, lattice.spacing()));
+    List<vector> points(reordered(start.points, order));
+    if (jitter_ > 0)
+    {
+        Random random(seed_);
+        for (vector& p : points)
+        {
+            for (label d = 0; d < space_.nDims(); ++d)
+            {
+                p[d] +=
+                    jitter_*lattice.spacing()*(2*random.sample01<scalar>() - 1);
+            }
+        }
+    }
+
+    particleSystem particles
+    (
+        space_.nDims(),
+        domain_.bodies.size(),
+        domain_.translations
+    );
+    particles.setParticles
+    (
+        points,
+        reordered(start.spacing, order),
+        reordered(start.body, order),
+        reordered(start.phi, order)
+    );
+    forAll(order, i)
+    {
+        particles.active[i] = jitter_ > 0 || !start.regular[order[i]];
+    }
+    particles.setFixedPoints
+    (
+        start.fixedPoints,
+        start.fixedSpacing,
+        start.fixedVolume,
+        start.fixedBody
+    );
+
+    Info<< "    particles: " << particles.nParticles()
+        << "  spacing: " << lattice.spacing() << nl << nl
+        << "Relaxation, " << method_->type() << endl;
+
+    monitor_.reset
+    (
+        new convergenceMonitor
+        (
+            method_->tolerance(),
+            method_->logInterval(),
+            method_->maxIterations()
+        )
+    );
+    relaxation(domain_, *method_, particles).run(*monitor_);
+
+    const fileName directory
+    (
+        mesh_.time().path()/"postProcessing"/"sphMesh"
+    );
+    mkDir(directory);
+    monitor_->write(directory/"convergence.csv");
+
+    fluid_ = extract(particles, 0);
+    solids_.setSize(domain_.bodies.size() - 1);
+    forAll(solids_, solidi)
+    {
+        solids_[solidi] = extract(particles, solidi + 1);
+    }
+    Info<< endl;
+}
+
+
+// ************************************************************************* //

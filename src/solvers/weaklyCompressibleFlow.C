@@ -1,0 +1,202 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "weaklyCompressibleFlow.H"
+#include "meshToParticles.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "transportProperties",
+            runTime_.constant(),
+            particles_.mesh(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    const word model
+    (
+        properties.getOrDefault<word>("transportModel", "Newtonian")
+    );
+
+    if (model != "Newtonian")
+    {
+        FatalIOErrorInFunction(properties)
+            << "transportModel " << model << " is not supported" << nl << nl
+            << "Valid choices:" << nl << wordList({"Newtonian"})
+            << exit(FatalIOError);
+    }
+
+    const dimensionedScalar nu("nu", dimViscosity, properties);
+
+    if (nu.value() < 0)
+    {
+        FatalIOErrorInFunction(properties)
+            << "nu is negative: " << nu.value() << exit(FatalIOError);
+    }
+
+    return nu.value();
+}
+
+
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::largestVelocity() const
+{
+    scalar largest = gMax(mag(U_.primitiveField())());
+
+    for (const fvPatchVectorField& Up : U_.boundaryField())
+    {
+        if (Up.fixesValue() && returnReduce(Up.size(), sumOp<label>()))
+        {
+            largest = max(largest, gMax(mag(Up)()));
+        }
+    }
+
+    return largest;
+}
+
+
+Foam::IOobject Foam::SPH::weaklyCompressibleFlow::propertiesIO() const
+{
+    return IOobject
+    (
+        "flowProperties",
+        runTime_.timeName(),
+        "uniform/lagrangian/sph",
+        particles_.mesh(),
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
+{
+    const auto positive = [](const scalar value) { return value > 0; };
+
+    if (schemes_.found("soundSpeed"))
+    {
+        return schemes_.getCheck<scalar>("soundSpeed", positive);
+    }
+
+    const IOdictionary stored(propertiesIO());
+    if (stored.found("soundSpeed"))
+    {
+        return stored.get<scalar>("soundSpeed");
+    }
+
+    const scalar ratio =
+        schemes_.getCheckOrDefault<scalar>("soundSpeedRatio", 10, positive);
+
+    const scalar largest = largestVelocity();
+
+    if (largest <= 0)
+    {
+        FatalIOErrorInFunction(schemes_)
+            << "Initial and boundary velocities are all zero: give the entry"
+            << " soundSpeed, ten times the largest velocity expected"
+            << exit(FatalIOError);
+    }
+
+    return ratio*largest;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::SPH::weaklyCompressibleFlow::stateNames() const
+{
+    return {"p", "rhoU"};
+}
+
+
+Foam::List<Foam::scalarField>
+Foam::SPH::weaklyCompressibleFlow::initialState() const
+{
+    const meshToParticles toParticles(particles_);
+    const vectorField U(toParticles.map(U_));
+
+    List<scalarField> W(1 + particles_.nDims());
+    W[0] = toParticles.map(p_);
+    for (label d = 0; d < particles_.nDims(); ++d)
+    {
+        W[1 + d] = U.component(particles_.space().axis(d));
+    }
+    return W;
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::writeFields()
+{
+    const scalarField p(law_->primitive(0));
+    const vectorField U(velocity());
+    const scalarField rho(1 + p/sqr(fluid_.c));
+
+    store_.write<scalar>("p", p);
+    store_.write<vector>("U", U);
+    store_.write<scalar>("rho", rho);
+
+    vectorField momentum(particles_.nParticles(), Zero);
+    for (label d = 0; d < particles_.nDims(); ++d)
+    {
+        momentum.replace(particles_.space().axis(d), law_->conserved(1 + d));
+    }
+    store_.write<vector>("rhoU", momentum);
+
+    IOdictionary properties(propertiesIO());
+    properties.set("soundSpeed", fluid_.c);
+    properties.regIOobject::write();
+
+    writeMapped(U, U_);
+    writeMapped(p, p_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
+(
+    sphTime& runTime,
+    const sphMesh& particles
+)
+:
+    flowSolver(runTime, particles),
+    tU_(readField<volVectorField>("U", dimVelocity)),
+    tp_(readField<volScalarField>("p", sqr(dimVelocity))),
+    U_(tU_.ref()),
+    p_(tp_.ref()),
+    phi_
+    (
+        IOobject("phi", runTime.timeName(), particles.mesh()),
+        particles.mesh(),
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
+    fluid_{soundSpeed(), viscosity()}
+{
+    Info<< "Sound speed " << fluid_.c << " m/s, kinematic viscosity "
+        << fluid_.nu << " m^2/s" << nl << endl;
+
+    faces_.reset
+    (
+        new boundaryStates(particles, U_, {{p_, 0}}, phi_, fluid_.nu > 0)
+    );
+    law_ = conservationLaw::New(schemes_, fluid_, *faces_);
+
+    setStart();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,172 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "commonFields.H"
+#include "storedFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    static bool isVolField(const IOobject& io)
+    {
+        return
+            io.headerClassName().startsWith("vol")
+         && io.headerClassName().endsWith("Field");
+    }
+
+    //- volFields of one method: those of SPH without their group "sph", those
+    //- of FVM without any group
+    static HashTable<word> classes
+    (
+        const IOobjectList& objects,
+        const word& group,
+        const wordRes& names
+    )
+    {
+        HashTable<word> result;
+        forAllConstIters(objects, iter)
+        {
+            const IOobject& io = *iter();
+            const word field(IOobject::member(io.name()));
+
+            if
+            (
+                isVolField(io)
+             && IOobject::group(io.name()) == group
+             && (names.empty() || names.match(field))
+            )
+            {
+                result.insert(field, io.headerClassName());
+            }
+        }
+        return result;
+    }
+
+    //- Times of either case, ascending and without 'constant'
+    static instantList allTimes(const instantList& a, const instantList& b)
+    {
+        DynamicList<instant> result;
+        for (const instantList* list : {&a, &b})
+        {
+            for (const instant& time : *list)
+            {
+                bool known = time.name() == "constant";
+                for (const instant& t : result)
+                {
+                    known = known || t.equal(time.value());
+                }
+                if (!known)
+                {
+                    result.append(time);
+                }
+            }
+        }
+        Foam::sort(result, instant::less());
+
+        return instantList(result);
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::commonFields::commonFields
+(
+    const fvMesh& mesh,
+    const referenceCase& reference,
+    const wordRes& names
+)
+:
+    times_(),
+    fvmOnly_(),
+    sphOnly_(),
+    fields_()
+{
+    DynamicList<instant> both;
+    DynamicList<instant> fvmOnly;
+    DynamicList<instant> sphOnly;
+
+    for (const instant& time : allTimes(mesh.time().times(), reference.times()))
+    {
+        const HashTable<word> sph
+        (
+            classes(IOobjectList(mesh, time.name()), "sph", names)
+        );
+        const HashTable<word> fvm
+        (
+            classes(reference.objects(time), word::null, names)
+        );
+
+        DynamicList<word> common;
+        for (const word& field : sph.sortedToc())
+        {
+            if (fvm.found(field))
+            {
+                if (sph[field] != fvm[field])
+                {
+                    FatalErrorInFunction
+                        << "At time " << time.name() << " field " << field
+                        << " is a " << fvm[field] << ", but "
+                        << storedFields::volName(field) << " is a "
+                        << sph[field] << exit(FatalError);
+                }
+                common.append(field);
+            }
+        }
+
+        if (common.size())
+        {
+            both.append(time);
+            fields_.insert(time.name(), wordList(common));
+        }
+        else if (fvm.size())
+        {
+            fvmOnly.append(time);
+        }
+        else if (sph.size())
+        {
+            sphOnly.append(time);
+        }
+    }
+
+    times_.transfer(both);
+    fvmOnly_.transfer(fvmOnly);
+    sphOnly_.transfer(sphOnly);
+
+    if (times_.empty())
+    {
+        FatalErrorInFunction
+            << "No time has fields to compare" << nl
+            << "    FVM fields in " << reference.path() << " at times: "
+            << this->names(fvmOnly_).c_str() << nl
+            << "    SPH fields (<field>.sph) in " << mesh.time().path()
+            << " at times: " << this->names(sphOnly_).c_str() << nl
+            << "    Write both at the same times, or map stored particle"
+            << " fields with mapSphFields" << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::string Foam::SPH::commonFields::names(const instantList& times)
+{
+    std::string list;
+    for (const instant& time : times)
+    {
+        list += (list.empty() ? "" : " ") + time.name();
+    }
+    return list.empty() ? "none" : list;
+}
+
+// ************************************************************************* //

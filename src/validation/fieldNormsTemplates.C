@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fieldNorms.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type>
+void Foam::SPH::fieldNorms::add
+(
+    const word& name,
+    const labelUList& components,
+    const scalarField& V,
+    const Field<Type>& field,
+    const Field<Type>& reference
+)
+{
+    const Field<Type> difference(field - reference);
+
+    for (const label d : components)
+    {
+        addComponent
+        (
+            name,
+            pTraits<Type>::componentNames[d],
+            V,
+            difference.component(d)(),
+            reference.component(d)()
+        );
+    }
+
+    addComponent
+    (
+        name,
+        pTraits<Type>::rank == 0 ? "value" : "mag",
+        V,
+        mag(difference)(),
+        pTraits<Type>::rank == 0 ? reference.component(0)() : mag(reference)()
+    );
+}
+
+// ************************************************************************* //
