@@ -10,8 +10,8 @@ License
 #include "particleMeshAssembly.H"
 #include "particlePairs.H"
 #include "periodicImages.H"
+#include "rawPairAreas.H"
 #include "spaceFillingCurve.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -92,14 +92,11 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     data.points = pointField(particles.points, order);
     data.spacing = scalarField(particles.spacing, order);
 
-    data.V.setSize(n);
     scalarField radius(n);
-    forAll(local, i)
+    forAll(radius, i)
     {
-        data.V[i] = space.volume(data.spacing[i]);
         radius[i] = W.support(data.spacing[i]);
     }
-    data.V *= gSum(mesh.V())/sum(data.V);
 
     vectorField translations(periodicTranslations(mesh));
     for (vector& T : translations)
@@ -109,25 +106,15 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     particlePairs pairs(local, radius, imageOffsets(translations));
     dropHiddenPairs(space, data.points, radius, fluid, pairs);
 
-    data.Sf.setSize(pairs.size());
     data.delta.setSize(pairs.size());
-    forAll(data.Sf, pairi)
+    forAll(data.delta, pairi)
     {
-        const label i = pairs.owner[pairi];
-        const label j = pairs.neighbour[pairi];
-        const scalar r = mag(pairs.delta[pairi]);
-        const scalar hi = W.smoothingRatio()*data.spacing[i];
-        const scalar hj = W.smoothingRatio()*data.spacing[j];
-        const scalar slope =
-            hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
-
         data.delta[pairi] = space.toGlobal(pairs.delta[pairi]);
-        data.Sf[pairi] =
-            -2*data.V[i]*data.V[j]/space.thickness()*slope/r
-            *data.delta[pairi];
     }
     data.owner.transfer(pairs.owner);
     data.neighbour.transfer(pairs.neighbour);
+    data.V = rawVolumes(mesh, space, data.spacing);
+    data.Sf = rawPairAreas(space, W, data.V, data);
 
     method.close(mesh, space, W, fluid, data);
 

@@ -1,0 +1,63 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rawPairAreas.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
+(
+    const fvMesh& mesh,
+    const solutionSpace& space,
+    const scalarField& spacing
+)
+{
+    auto tV = tmp<scalarField>::New(spacing.size());
+    scalarField& V = tV.ref();
+
+    forAll(V, i)
+    {
+        V[i] = space.volume(spacing[i]);
+    }
+    V *= gSum(mesh.V())/sum(V);
+
+    return tV;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
+(
+    const solutionSpace& space,
+    const kernel& W,
+    const scalarField& V,
+    const particleMeshData& data
+)
+{
+    auto tSf = tmp<vectorField>::New(data.owner.size());
+    vectorField& Sf = tSf.ref();
+
+    forAll(Sf, pairi)
+    {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+        const scalar r = mag(data.delta[pairi]);
+        const scalar hi = W.smoothingRatio()*data.spacing[i];
+        const scalar hj = W.smoothingRatio()*data.spacing[j];
+        const scalar slope =
+            hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
+
+        Sf[pairi] = -2*V[i]*V[j]/space.thickness()*slope/r*data.delta[pairi];
+    }
+
+    return tSf;
+}
+
+
+// ************************************************************************* //
