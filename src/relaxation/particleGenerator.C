@@ -294,12 +294,11 @@ void Foam::SPH::particleGenerator::generate()
         points,
         reordered(start.spacing, order),
         reordered(start.body, order),
-        reordered(start.phi, order)
+        reordered(start.phi, order),
+        jitter_ > 0
+      ? boolList(order.size(), false)
+      : boolList(reordered(start.regular, order))
     );
-    forAll(order, i)
-    {
-        particles.active[i] = jitter_ > 0 || !start.regular[order[i]];
-    }
     particles.setFixedPoints
     (
         start.fixedPoints,

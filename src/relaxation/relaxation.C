@@ -176,13 +176,16 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         vector dr(steps_[t] + momentum*lastStep_[i]);
         dr *= min(scalar(1), maxStep_*dp/max(mag(dr), VSMALL));
 
-        lastStep_[i] = bounding_.move(bodyi, i, dr, particles_);
+        const vector moved(bounding_.move(bodyi, i, dr, particles_));
 
+        // A bounded particle may go to and fro between two surface elements:
+        // what counts is the way of two iterations
         force_[i] = mag(sums_[t])*dp;
         residual_[i] =
-            mag(lastStep_[i] - dr) > 1e-9*dp
-          ? min(force_[i], mag(lastStep_[i])/(step*dp))
+            mag(moved - dr) > 1e-9*dp
+          ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))
           : force_[i];
+        lastStep_[i] = moved;
     }
 
     particles_.updateImages();
