@@ -157,7 +157,10 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
     method_.addBoundaryTerm(bodyi, particles_, targets, sums_);
 
     const scalar step =
-        method_.displacements(bodyi, particles_, targets, sums_, steps_);
+        method_.displacements
+        (
+            bodyi, particles_, list_, targets, sums_, steps_
+        );
 
     // A part of the last displacement is kept while that leads downhill
     scalar uphill = 0;
@@ -165,6 +168,8 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
     {
         uphill += sums_[t] & lastStep_[targets[t]];
     }
+    const scalar unboundedBand =
+        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi) : 0;
     const scalar momentum = uphill > 0 ? 0 : method_.momentum();
 
     #pragma omp parallel for schedule(dynamic, 256) if (targets.size() > 2048)
@@ -176,13 +181,20 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         vector dr(steps_[t] + momentum*lastStep_[i]);
         dr *= min(scalar(1), maxStep_*dp/max(mag(dr), VSMALL));
 
-        lastStep_[i] = bounding_.move(bodyi, i, dr, particles_);
+        const vector moved(bounding_.move(bodyi, i, dr, particles_));
 
+        // A particle held at a surface may go to and fro between two surface
+        // elements: what counts is the way of two iterations
         force_[i] = mag(sums_[t])*dp;
+        const bool held =
+            mag(moved - dr) > 1e-9*dp
+         || -particles_.phi[i] - particles_.drift[i]
+          < unboundedBand*dp;
         residual_[i] =
-            mag(lastStep_[i] - dr) > 1e-9*dp
-          ? min(force_[i], mag(lastStep_[i])/(step*dp))
+            held
+          ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))
           : force_[i];
+        lastStep_[i] = moved;
     }
 
     particles_.updateImages();
@@ -307,6 +319,10 @@ Foam::SPH::relaxation::relaxation
 
 void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 {
+    if (!method_.freeze())
+    {
+        particles_.active = true;
+    }
     collectTargets();
     resetList();
     findFirstLayer();

@@ -127,6 +127,7 @@ Foam::scalar Foam::SPH::relaxationMethod::displacements
 (
     const label bodyi,
     const particleSystem& particles,
+    const verletList& list,
     const labelUList& targets,
     const vectorField& sums,
     vectorField& steps
