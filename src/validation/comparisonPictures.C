@@ -143,17 +143,11 @@ void Foam::SPH::comparisonPictures::writePanels
     above = max(above, -below);
 
     const std::string unit(" [" + unitText(quantity.fvm.dimensions()) + "]");
-    const std::string differenceLabel
-    (
-        isSigned
-      ? quantity.label + ", SPH - FVM"
-      : "|" + quantity.name + " SPH - " + quantity.name + " FVM|"
-    );
     const std::vector<fieldPicture::colourScale> scales
     {
         {quantity.label + unit, lowest, highest, colourMap::sequential},
         {
-            differenceLabel + unit,
+            (isSigned ? "SPH - FVM" : "|SPH - FVM|") + unit,
             isSigned ? -above : 0,
             above,
             isSigned ? colourMap::diverging : colourMap::sequential
