@@ -14,16 +14,19 @@ License
 
 Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
 {
-    const IOdictionary properties
+    // Kept in the registry, where function objects look for it
+    const IOdictionary& properties = regIOobject::store
     (
-        IOobject
+        new IOdictionary
         (
-            "transportProperties",
-            runTime_.constant(),
-            particles_.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
+            IOobject
+            (
+                "transportProperties",
+                runTime_.constant(),
+                particles_.mesh(),
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
         )
     );
 
