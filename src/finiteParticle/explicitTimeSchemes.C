@@ -78,6 +78,11 @@ public:
     {
         return 0.5;
     }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 0.9;
+    }
 };
 
 
@@ -98,6 +103,11 @@ public:
     virtual scalar defaultCo() const
     {
         return 1;
+    }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 1.13;
     }
 };
 
@@ -140,6 +150,11 @@ public:
     virtual scalar defaultCo() const
     {
         return 0.6;
+    }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 0.9;
     }
 };
 

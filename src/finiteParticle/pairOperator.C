@@ -236,13 +236,10 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::acousticRate
 template<class Flux, class Limiter, bool Viscous>
 Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
 (
-    const scalar maxCo
+    const scalar maxCo,
+    const scalar maxDiffusion
 ) const
 {
-    // Real stability limit of the weakest time scheme, the eigenvalues of
-    // the diffusive operator being up to twice its diagonal
-    constexpr scalar maxDiffusion = 0.8;
-
     const label n = particles_.nParticles();
     scalar largest = 0;
 

@@ -26,6 +26,12 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
+{
+    return 1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+}
+
+
 void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
 {
     constexpr label maxHalvings = 8;
@@ -205,7 +211,7 @@ void Foam::SPH::flowSolver::setDeltaT()
 {
     if (runTime_.adjusted())
     {
-        runTime_.setStableDeltaT(1/law_->stableRate(maxCo_));
+        runTime_.setStableDeltaT(stableDeltaT());
     }
 }
 
@@ -218,7 +224,7 @@ void Foam::SPH::flowSolver::advance()
     const label nSteps =
         runTime_.adjusted()
       ? 1
-      : max(label(1), label(std::ceil(deltaT*law_->stableRate(maxCo_) - 1e-6)));
+      : max(label(1), label(std::ceil(deltaT/stableDeltaT() - 1e-6)));
 
     scalar largest;
     scalar mean;
