@@ -148,10 +148,9 @@ Foam::labelVector Foam::SPH::bandGrid::coordinates(const label node) const
 }
 
 
-Foam::label Foam::SPH::bandGrid::find(const labelVector& ijk) const
+Foam::label Foam::SPH::bandGrid::block(const labelVector& ijk) const
 {
     labelVector block(Zero);
-    labelVector local(Zero);
 
     for (label d = 0; d < nDims_; ++d)
     {
@@ -160,12 +159,28 @@ Foam::label Foam::SPH::bandGrid::find(const labelVector& ijk) const
             return -1;
         }
         block[d] = ijk[d]/blockSize;
+    }
+
+    return blockIndex(block);
+}
+
+
+Foam::label Foam::SPH::bandGrid::find(const labelVector& ijk) const
+{
+    const label blocki = block(ijk);
+
+    if (blocki < 0 || !active(blocki))
+    {
+        return -1;
+    }
+
+    labelVector local(Zero);
+    for (label d = 0; d < nDims_; ++d)
+    {
         local[d] = ijk[d] % blockSize;
     }
 
-    const label active = activeBlock_[blockIndex(block)];
-
-    return active < 0 ? -1 : localNode(active, local);
+    return localNode(activeBlock_[blocki], local);
 }
 
 

@@ -9,6 +9,8 @@ License
 
 #include "fileSurface.H"
 #include "surfaceRepair.H"
+#include "surfaceDistance.H"
+#include "PtrList.H"
 #include "triSurface.H"
 #include "EdgeMap.H"
 #include "OSspecific.H"
@@ -56,7 +58,8 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::convert
         for (label k = 0; k < 3; ++k)
         {
             // In ascending order, so that both triangles of an edge agree
-            const edge e(min(t[k], t[t.fcIndex(k)]), max(t[k], t[t.fcIndex(k)]));
+            const label next = t[t.fcIndex(k)];
+            const edge e(min(t[k], next), max(t[k], next));
             const point& a = triPoints[e.start()];
             const point& b = triPoints[e.end()];
 
@@ -159,14 +162,90 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
         FatalIOError << exit(FatalIOError);
     }
 
-    if (surface.volume() < 0)
+    return orient(surface.subset(identity(surface.size())));
+}
+
+
+Foam::SPH::orientedSurface Foam::SPH::fileSurface::orient
+(
+    const orientedSurface& surface
+)
+{
+    label nParts;
+    const labelList part(surface.parts(nParts));
+
+    List<DynamicList<label>> partElements(nParts);
+    forAll(part, elementi)
     {
-        Info<< "Surface " << name << " is oriented inward: turned inside out"
-            << endl;
-        return surface.subset(identity(surface.size()), true);
+        partElements[part[elementi]].append(elementi);
     }
 
-    return surface.subset(identity(surface.size()));
+    // Every part by itself, outward
+    PtrList<orientedSurface> parts(nParts);
+    boolList reverse(nParts);
+    forAll(parts, parti)
+    {
+        reverse[parti] = surface.subset(partElements[parti]).volume() < 0;
+        parts.set
+        (
+            parti,
+            new orientedSurface
+            (
+                surface.subset(partElements[parti], reverse[parti])
+            )
+        );
+    }
+
+    // A part within an odd number of others bounds a cavity
+    forAll(parts, parti)
+    {
+        autoPtr<surfaceDistance> distance;
+
+        forAll(parts, otheri)
+        {
+            const boundBox other(parts[otheri].bounds());
+
+            if (otheri == parti || !parts[parti].bounds().contains(other))
+            {
+                continue;
+            }
+
+            if (!distance.valid())
+            {
+                distance.reset(new surfaceDistance(parts[parti]));
+            }
+
+            if (distance->distance(parts[otheri].points()[0]) < 0)
+            {
+                reverse[otheri] = !reverse[otheri];
+            }
+        }
+    }
+
+    List<element> elements(surface.elements());
+    label nReversed = 0;
+    forAll(elements, elementi)
+    {
+        if (reverse[part[elementi]])
+        {
+            FixedList<label, 3>& v = elements[elementi].vertices;
+            std::swap(v[0], v[1]);
+            ++nReversed;
+        }
+    }
+
+    if (nReversed)
+    {
+        Info<< "    " << nReversed << " of " << surface.size()
+            << " elements turned to point out of the solid" << endl;
+    }
+
+    return orientedSurface
+    (
+        surface.space(),
+        pointField(surface.points()),
+        std::move(elements)
+    );
 }
 
 

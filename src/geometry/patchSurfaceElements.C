@@ -24,7 +24,7 @@ namespace SPH
 namespace
 {
 
-//- Stop because a 2-D mesh is not an extrusion of a plane mesh
+//- Stop because a mesh with empty patches is not an extrusion
 void failNotExtruded(const polyMesh& mesh, const string& where)
 {
     FatalErrorInFunction
@@ -76,10 +76,22 @@ Foam::SPH::orientedSurface Foam::SPH::patchSurface::pointElements
 
         forAll(pp, facei)
         {
+            const vector& S = pp.faceAreas()[facei];
+
+            if (mag(S[space.axis(0)]) < (1 - 1e-6)*mag(S))
+            {
+                failNotExtruded
+                (
+                    mesh,
+                    "face " + name(facei) + " of patch " + pp.name()
+                  + " is not normal to the solved direction"
+                );
+            }
+
             element e(points.size());
             e.patchi = pp.index();
             e.facei = facei;
-            e.reversed = pp.faceAreas()[facei][space.axis(0)] < 0;
+            e.reversed = S[space.axis(0)] < 0;
 
             elements.append(e);
             points.append

@@ -38,6 +38,94 @@ Foam::scalar heaviside(const Foam::scalar phi, const Foam::scalar eps)
       : 0.5 + 0.5*phi/eps + 0.5/pi*Foam::sin(pi*phi/eps);
 }
 
+
+//- H(phi) at the nodes of a grid and around them
+class outsideFraction
+{
+    const Foam::SPH::bandGrid& grid_;
+    const Foam::SPH::signedDistance& body_;
+    const Foam::SPH::solutionSpace& space_;
+    const Foam::scalar eps_;
+
+    //- phi and H at the nodes
+    Foam::scalarField phi_;
+    Foam::scalarField fraction_;
+
+    //- phi at the block centres
+    Foam::scalarField blockPhi_;
+
+    Foam::scalar evaluate(const Foam::point& x) const
+    {
+        return body_.distance(space_.position(x));
+    }
+
+
+public:
+
+    outsideFraction
+    (
+        const Foam::SPH::bandGrid& grid,
+        const Foam::SPH::signedDistance& body,
+        const Foam::SPH::solutionSpace& space
+    )
+    :
+        grid_(grid),
+        body_(body),
+        space_(space),
+        eps_(0.75*grid.spacing()),
+        phi_(grid.size()),
+        fraction_(grid.size()),
+        blockPhi_(grid.nBlocks(), Foam::Zero)
+    {
+        #pragma omp parallel for schedule(static, 64)
+        for (Foam::label node = 0; node < grid_.size(); ++node)
+        {
+            phi_[node] = evaluate(grid_.position(grid_.coordinates(node)));
+            fraction_[node] = heaviside(phi_[node], eps_);
+        }
+
+        #pragma omp parallel for schedule(static, 64)
+        for (Foam::label block = 0; block < grid_.nBlocks(); ++block)
+        {
+            if (!grid_.active(block))
+            {
+                blockPhi_[block] = evaluate(grid_.blockCentre(block));
+            }
+        }
+    }
+
+    Foam::scalar distance(const Foam::label node) const
+    {
+        return phi_[node];
+    }
+
+    //- H at a node, or at grid coordinates where none is stored
+    Foam::scalar operator()
+    (
+        const Foam::label node,
+        const Foam::labelVector& ijk
+    ) const
+    {
+        if (node >= 0)
+        {
+            return fraction_[node];
+        }
+
+        const Foam::label block = grid_.block(ijk);
+
+        if
+        (
+            block >= 0
+         && Foam::mag(blockPhi_[block]) > grid_.blockHalfDiagonal() + eps_
+        )
+        {
+            return blockPhi_[block] > 0 ? 1 : 0;
+        }
+
+        return heaviside(evaluate(grid_.position(ijk)), eps_);
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -53,16 +141,15 @@ Foam::SPH::bandGrid Foam::SPH::staticConfinement::makeGrid
     const scalar leastSpacing
 )
 {
-    // Spacings in the level, and half the kernel's reach beyond the surface
-    // for particles that a step has carried out of the body
+    // The kernels of particles on the surface stay within the box
     const scalar largestSpacing = 2*leastSpacing;
     const scalar band = k.support(min(largestSpacing, spacing.max()));
 
     const boundBox bounds(body.bounds());
     const boundBox box
     (
-        space.toLocal(bounds.min() - 0.5*band*vector::one),
-        space.toLocal(bounds.max() + 0.5*band*vector::one)
+        space.toLocal(bounds.min() - 2*band*vector::one),
+        space.toLocal(bounds.max() + 2*band*vector::one)
     );
 
     return bandGrid
@@ -93,33 +180,10 @@ void Foam::SPH::staticConfinement::sumOutside
     const spacingFunction& spacing
 ) const
 {
+    const outsideFraction outside(l.grid, body, space_);
     const label nDims = space_.nDims();
     const scalar lf = l.grid.spacing();
-    const scalar eps = 0.75*lf;
     const scalar volume = kernel::integerPow(lf, nDims);
-
-    // phi of the grid's own nodes
-    scalarField phi(l.grid.size());
-
-    #pragma omp parallel for schedule(static, 64)
-    for (label node = 0; node < phi.size(); ++node)
-    {
-        const point x(l.grid.position(l.grid.coordinates(node)));
-        phi[node] = body.distance(space_.position(x));
-    }
-
-    const auto outside = [&](const labelVector& ijk)
-    {
-        const label node = l.grid.find(ijk);
-
-        return heaviside
-        (
-            node >= 0
-          ? phi[node]
-          : body.distance(space_.position(l.grid.position(ijk))),
-            eps
-        );
-    };
 
     #pragma omp parallel for schedule(dynamic, 64)
     for (label node = 0; node < l.grid.size(); ++node)
@@ -129,7 +193,8 @@ void Foam::SPH::staticConfinement::sumOutside
         const scalar h = k.smoothingRatio()*dp;
         const scalar reach = k.support(dp);
 
-        if (phi[node] < -reach - eps || phi[node] > reach)
+        // Further away g is zero or never asked for
+        if (mag(outside.distance(node)) > reach + lf)
         {
             continue;
         }
@@ -137,29 +202,45 @@ void Foam::SPH::staticConfinement::sumOutside
         const label n = label(reach/lf);
         const label nz = nDims > 2 ? n : 0;
         const label ny = nDims > 1 ? n : 0;
+        vector g(Zero);
 
-        labelVector s;
-        for (s.z() = -nz; s.z() <= nz; ++s.z())
+        for (label z = -nz; z <= nz; ++z)
         {
-            for (s.y() = -ny; s.y() <= ny; ++s.y())
+            for (label y = -ny; y <= ny; ++y)
             {
-                for (s.x() = -n; s.x() <= n; ++s.x())
+                // Runs along x from block to block
+                label neighbour = -1;
+
+                for (label x = -n; x <= n; ++x)
                 {
-                    const scalar r =
-                        lf*Foam::sqrt(scalar(s.x()*s.x() + s.y()*s.y() + s.z()*s.z()));
+                    const labelVector s(x, y, z);
+                    const labelVector ijk(centre + s);
+
+                    if (x == -n || ijk.x() % bandGrid::blockSize == 0)
+                    {
+                        neighbour = l.grid.find(ijk);
+                    }
+                    else if (neighbour >= 0)
+                    {
+                        ++neighbour;
+                    }
+
+                    const scalar r = lf*Foam::sqrt(scalar(x*x + y*y + z*z));
 
                     if (r > 0 && r < reach)
                     {
-                        const scalar factor =
-                            outside(centre + s)*volume*k.dWdr(r, h)/r;
-
-                        // grad_i W points along x_i - x_k
-                        l.g[node] -=
-                            factor*lf*vector(s.x(), s.y(), s.z());
+                        const scalar H = outside(neighbour, ijk);
+                        if (H > 0)
+                        {
+                            // grad_i W is along x_i - x_k
+                            g -= H*k.dWdr(r, h)/r*vector(x, y, z);
+                        }
                     }
                 }
             }
         }
+
+        l.g[node] = volume*lf*g;
     }
 }
 
@@ -205,7 +286,10 @@ Foam::SPH::staticConfinement::staticConfinement
     (
         methodNames.getOrDefault("method", dict, methodType::levelSet)
     );
-    const scalar gridRatio(dict.getOrDefault<scalar>("gridRatio", 0.5));
+    const scalar gridRatio
+    (
+        dict.getOrDefault<scalar>("gridRatio", space.nDims() == 3 ? 0.5 : 0.25)
+    );
 
     if (gridRatio < 0.05 || gridRatio > 1)
     {

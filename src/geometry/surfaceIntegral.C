@@ -34,6 +34,11 @@ Foam::scalar integrate
     const Foam::scalar to
 )
 {
+    if (from == to)
+    {
+        return 0;
+    }
+
     const Foam::scalar middle = 0.5*(from + to);
     const Foam::scalar half = 0.5*(to - from);
 
@@ -56,22 +61,17 @@ constexpr Foam::label nMoments = 2000;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::SPH::surfaceIntegral::moment
-(
-    const scalar r,
-    const scalar h
-) const
+Foam::scalar Foam::SPH::surfaceIntegral::moment(const scalar q) const
 {
-    const scalar s = r/(h*kernel_.cutOff())*nMoments;
+    const scalar s = q/kernel_.cutOff()*nMoments;
     if (s >= nMoments)
     {
         return 0;
     }
 
     const label i = label(s);
-    const scalar value = moment_[i] + (s - i)*(moment_[i+1] - moment_[i]);
 
-    return kernel_.sigma(h)*h*h*value;
+    return moment_[i] + (s - i)*(moment_[i+1] - moment_[i]);
 }
 
 
@@ -86,36 +86,33 @@ Foam::scalar Foam::SPH::surfaceIntegral::overSegment
     const scalar length = mag(b - a);
     const vector t((b - a)/max(length, VSMALL));
     const scalar foot = (x - a) & t;
-    const scalar sqrDistance = magSqr(x - a) - foot*foot;
-    const scalar reach = kernel_.cutOff()*h;
+    const scalar sqrDistance = max(magSqr(x - a) - foot*foot, scalar(0));
+    const scalar sqrReach = sqr(kernel_.cutOff()*h);
 
-    if (sqrDistance >= reach*reach)
+    if (sqrDistance >= sqrReach)
+    {
+        return 0;
+    }
+
+    const scalar half = Foam::sqrt(sqrReach - sqrDistance);
+    const scalar from = max(-foot, -half);
+    const scalar to = min(length - foot, half);
+
+    if (from >= to)
     {
         return 0;
     }
 
     // Split at the foot, where W has a kink if x lies on the segment
-    const scalar half = Foam::sqrt(reach*reach - max(sqrDistance, scalar(0)));
-    const scalar from = max(-foot, -half);
-    const scalar to = min(length - foot, half);
-
-    const auto W = [&](const scalar s)
+    const scalar middle = min(max(scalar(0), from), to);
+    const auto w = [&](const scalar s)
     {
-        return
-            kernel_.W(Foam::sqrt(max(sqrDistance, scalar(0)) + s*s), h);
+        return kernel_.w(Foam::sqrt(sqrDistance + s*s)/h);
     };
 
-    scalar sum = 0;
-    if (from < 0 && from < to)
-    {
-        sum += integrate(W, from, min(to, scalar(0)));
-    }
-    if (to > 0 && from < to)
-    {
-        sum += integrate(W, max(from, scalar(0)), to);
-    }
+    const scalar sum = integrate(w, from, middle) + integrate(w, middle, to);
 
-    return sum;
+    return kernel_.sigma(h)*sum;
 }
 
 
@@ -128,14 +125,15 @@ Foam::scalar Foam::SPH::surfaceIntegral::overTriangle
 ) const
 {
     const scalar d = (x - corners[0]) & normal;
+    const scalar sqrReach = sqr(kernel_.cutOff()*h) - d*d;
 
-    if (mag(d) >= kernel_.cutOff()*h)
+    if (sqrReach <= 0)
     {
         return 0;
     }
 
     const point foot(x - d*normal);
-    const scalar atFoot = moment(mag(d), h);
+    const scalar atFoot = moment(mag(d)/h);
 
     scalar sum = 0;
     for (label k = 0; k < 3; ++k)
@@ -147,31 +145,41 @@ Foam::scalar Foam::SPH::surfaceIntegral::overTriangle
 
         // Distance of the edge, positive with the foot on its inner side
         const scalar p = ((foot - a) ^ t) & -normal;
+        const scalar magP = mag(p);
         const scalar from = (a - foot) & t;
         const scalar to = from + length;
 
-        if (mag(p) < SMALL*length)
+        if (magP < SMALL*length)
         {
             continue;
         }
 
-        const auto f = [&](const scalar theta)
+        scalar part =
+            atFoot*(Foam::atan2(to, magP) - Foam::atan2(from, magP));
+
+        // The piece in the support, split at its nearest point
+        const scalar half = Foam::sqrt(max(sqrReach - p*p, scalar(0)));
+        const scalar first = max(from, -half);
+        const scalar last = min(to, half);
+
+        if (first < last)
         {
-            const scalar rho = p/Foam::cos(theta);
-            return atFoot - moment(Foam::sqrt(d*d + rho*rho), h);
-        };
+            const scalar theta0 = Foam::atan2(first, magP);
+            const scalar theta1 = Foam::atan2(last, magP);
+            const scalar middle = min(max(scalar(0), theta0), theta1);
+            const auto f = [&](const scalar theta)
+            {
+                const scalar rho = p/Foam::cos(theta);
+                return moment(Foam::sqrt(d*d + rho*rho)/h);
+            };
 
-        // Split at the nearest point of the edge
-        const scalar theta0 = Foam::atan2(from, mag(p));
-        const scalar theta1 = Foam::atan2(to, mag(p));
-        const scalar middle = min(max(scalar(0), theta0), theta1);
+            part -= integrate(f, theta0, middle) + integrate(f, middle, theta1);
+        }
 
-        const scalar part =
-            integrate(f, theta0, middle) + integrate(f, middle, theta1);
         sum += p > 0 ? part : -part;
     }
 
-    return sum;
+    return kernel_.sigma(h)*h*h*sum;
 }
 
 

@@ -7,18 +7,14 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-// The exact predicates change the rounding mode
-#pragma GCC optimize ("rounding-math")
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <sstream>
 #include <vector>
 
@@ -32,11 +28,12 @@ namespace
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel kernel;
+typedef CGAL::Simple_cartesian<double> kernel;
 typedef CGAL::Surface_mesh<kernel::Point_3> surfaceMesh;
 
 
-//- Fill the holes whose box is small. \return number of filled ones
+//- Fill the holes whose box is small with triangles around the mean of their
+//- vertices. \return number of filled ones
 size_t fillHoles(surfaceMesh& mesh, const double maxSize)
 {
     std::vector<surfaceMesh::Halfedge_index> holes;
@@ -46,9 +43,14 @@ size_t fillHoles(surfaceMesh& mesh, const double maxSize)
     for (const surfaceMesh::Halfedge_index hole : holes)
     {
         CGAL::Bbox_3 box;
+        kernel::Vector_3 sum(CGAL::NULL_VECTOR);
+        size_t n = 0;
         for (const auto h : CGAL::halfedges_around_face(hole, mesh))
         {
-            box += mesh.point(mesh.target(h)).bbox();
+            const kernel::Point_3& p = mesh.point(mesh.target(h));
+            box += p.bbox();
+            sum += p - CGAL::ORIGIN;
+            ++n;
         }
 
         const double size = std::max
@@ -60,9 +62,13 @@ size_t fillHoles(surfaceMesh& mesh, const double maxSize)
 
         if (size <= maxSize)
         {
-            std::vector<surfaceMesh::Face_index> patch;
-            PMP::triangulate_hole(mesh, hole, std::back_inserter(patch));
-            nFilled += !patch.empty();
+            CGAL::Euler::fill_hole(hole, mesh);
+            if (n > 3)
+            {
+                const auto h = CGAL::Euler::add_center_vertex(hole, mesh);
+                mesh.point(mesh.target(h)) = CGAL::ORIGIN + sum/double(n);
+            }
+            ++nFilled;
         }
     }
 
@@ -80,7 +86,7 @@ Foam::string Foam::SPH::repairSurface
     const scalar maxHoleSize
 )
 {
-    // Interval arithmetic and degenerate triangles raise exceptions
+    // Degenerate triangles may raise exceptions
     const sigFpe::ignore noTrapping;
 
     std::vector<kernel::Point_3> points;
@@ -128,10 +134,6 @@ Foam::string Foam::SPH::repairSurface
         done<< nFilled << " holes filled, ";
     }
 
-    if (CGAL::is_closed(mesh))
-    {
-        PMP::orient_to_bound_a_volume(mesh);
-    }
     done<< "triangles oriented alike";
 
     mesh.collect_garbage();

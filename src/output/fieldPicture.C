@@ -193,8 +193,8 @@ void Foam::SPH::fieldPicture::drawPanel
     {
         canvas.text
         (
-            yLabel_, area.x - 11*tickLength, area.y + area.height/2, labelSize,
-            pictureCanvas::high, pictureCanvas::centre, false, true
+            yLabel_, area.x - 10*tickLength, area.y + area.height/2, labelSize,
+            pictureCanvas::centre, pictureCanvas::low, false, true
         );
     }
 
@@ -257,9 +257,9 @@ void Foam::SPH::fieldPicture::drawBar
     {
         canvas.text
         (
-            scale.label, area.x + uprightBarSpace - 2*barThickness,
+            scale.label, area.x + 0.75*uprightBarSpace,
             area.y + area.height/2, labelSize,
-            pictureCanvas::high, pictureCanvas::centre, false, true
+            pictureCanvas::centre, pictureCanvas::low, false, true
         );
     }
     else

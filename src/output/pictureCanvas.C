@@ -177,8 +177,8 @@ void Foam::SPH::pictureCanvas::text
     const scalar x,
     const scalar y,
     const label size,
-    const alignment horizontal,
-    const alignment vertical,
+    const alignment along,
+    const alignment across,
     const bool bold,
     const bool upwards
 )
@@ -194,14 +194,14 @@ void Foam::SPH::pictureCanvas::text
     property->SetBold(bold);
     property->SetJustification
     (
-        horizontal == low ? VTK_TEXT_LEFT
-      : horizontal == centre ? VTK_TEXT_CENTERED
+        along == low ? VTK_TEXT_LEFT
+      : along == centre ? VTK_TEXT_CENTERED
       : VTK_TEXT_RIGHT
     );
     property->SetVerticalJustification
     (
-        vertical == low ? VTK_TEXT_BOTTOM
-      : vertical == centre ? VTK_TEXT_CENTERED
+        across == low ? VTK_TEXT_BOTTOM
+      : across == centre ? VTK_TEXT_CENTERED
       : VTK_TEXT_TOP
     );
     if (upwards)

@@ -47,7 +47,8 @@ Foam::SPH::tickMarks::tickMarks
     scalar k = std::ceil((lowest - tolerance)/step_);
     for (; k*step_ <= highest + tolerance; ++k)
     {
-        values.append(k*step_);
+        // The sum turns a negative zero into zero
+        values.append(k*step_ + 0.0);
     }
     values_.transfer(values);
 }

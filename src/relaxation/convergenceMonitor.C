@@ -32,11 +32,8 @@ bool Foam::SPH::convergenceMonitor::converged() const
     const record& last = history_.last();
 
     return
-        last.maxResidual <= tolerance_
-     && (
-            last.kineticEnergy <= tolerance_
-         || last.maxResidual <= 0.1*tolerance_
-        );
+        last.relativeResidual <= 1
+     && (last.kineticEnergy <= tolerance_ || last.relativeResidual <= 0.1);
 }
 
 
@@ -55,17 +52,17 @@ void Foam::SPH::convergenceMonitor::log
 
     // The residual falls about geometrically
     const label back = history_.size() - 1 - logInterval_;
-    if (back >= 0 && last.maxResidual > tolerance_)
+    if (back >= 0 && last.relativeResidual > 1)
     {
         const scalar perIteration = clock_.elapsedTime()/history_.size();
         const scalar decay =
-            Foam::log(history_[back].maxResidual/max(last.maxResidual, VSMALL))
+            Foam::log(history_[back].relativeResidual/last.relativeResidual)
            /logInterval_;
 
         scalar nLeft = maxIterations_ - last.iteration;
         if (decay > 0)
         {
-            nLeft = min(nLeft, Foam::log(last.maxResidual/tolerance_)/decay);
+            nLeft = min(nLeft, Foam::log(last.relativeResidual)/decay);
         }
         os  << "  time left = " << round(10*nLeft*perIteration)/10 << " s";
     }

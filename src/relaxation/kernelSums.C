@@ -49,7 +49,8 @@ namespace SPH
         const scalar* const dp = particles.spacing.cdata();
         const scalar sigma = W.sigma(1);
 
-        #pragma omp parallel for schedule(dynamic, 256)
+        #pragma omp parallel for schedule(dynamic, 256) \
+            if (targets.size() > 1024)
         for (label t = 0; t < targets.size(); ++t)
         {
             const label i = targets[t];

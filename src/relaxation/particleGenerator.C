@@ -8,9 +8,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleGenerator.H"
+#include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
 #include "relaxation.H"
+#include "separateNoBooleanRelaxation.H"
 #include "spaceFillingCurve.H"
 #include "volFields.H"
 #include "OSspecific.H"
@@ -162,6 +164,32 @@ void Foam::SPH::particleGenerator::setDomain()
             body.name(), &body.distance(), body.smoothingRatio()
         });
     }
+
+    const dictionary relaxation(dict_.subOrEmptyDict("relaxation"));
+    if
+    (
+        relaxationMethod::typeOf(relaxation)
+     == separateNoBooleanRelaxation::typeName
+    )
+    {
+        for (relaxationDomain::body& body : domain_.bodies)
+        {
+            if (body.surface)
+            {
+                grids_.append
+                (
+                    new levelSetGrid
+                    (
+                        *body.surface,
+                        space_,
+                        spacing_->min(),
+                        2*kernel_->support(spacing_->max())
+                    )
+                );
+                body.surface = &grids_.last();
+            }
+        }
+    }
 }
 
 
@@ -239,46 +267,79 @@ Foam::SPH::particleGenerator::fluidDistance() const
 
 void Foam::SPH::particleGenerator::estimate(Ostream& os) const
 {
-    const latticeStart lattice(domain_, *pattern_);
-    const scalar n =
-        domain_.fluidVolume/domain_.volume(lattice.spacing());
+    scalar n = 0;
+    label nCells = 0;
+    scalar dp = spacing_->min();
+
+    if (domain_.uniform())
+    {
+        const latticeStart lattice(domain_, *pattern_);
+        dp = lattice.spacing();
+        nCells = lattice.nNearCells();
+        n = domain_.fluidVolume/domain_.volume(dp);
+    }
+    else
+    {
+        const gradedStart cells(domain_, spacing_->max());
+        nCells = cells.nCells();
+        n = cells.nFluidParticles();
+    }
 
     // Per particle: positions, lists of some 20 or 70 neighbours, areas
     const scalar bytes = space_.nDims() == 3 ? 4000 : 1200;
 
-    os  << "Particles, about: " << label(n) << nl
-        << "Spacing: " << lattice.spacing() << " m" << nl
-        << "Lattice cells near surfaces: " << lattice.nNearCells() << nl
+    os  << "Particles, about: " << label(round(n)) << nl
+        << "Least spacing: " << dp << " m" << nl
+        << "Cells of the background grid: " << nCells << nl
         << "Memory, about: " << label(n*bytes/1048576) + 1 << " MiB" << nl
         << endl;
 }
 
 
-void Foam::SPH::particleGenerator::generate()
+Foam::SPH::particleStart Foam::SPH::particleGenerator::makeStart()
 {
-    Info<< "Lattice" << endl;
-    const latticeStart lattice(domain_, *pattern_);
     const staticSupport support
     (
         domain_,
         *pattern_,
         method_->sharedInterfaces()
     );
-    particleStart start;
-    lattice.generate(support, start);
-    domain_.minSpacing = lattice.spacing();
 
-    const labelList order(spaceFillingOrder(start.points, lattice.spacing()));
+    particleStart start;
+    if (domain_.uniform())
+    {
+        const latticeStart lattice(domain_, *pattern_);
+        lattice.generate(support, start);
+        domain_.minSpacing = lattice.spacing();
+    }
+    else
+    {
+        gradedStart(domain_, spacing_->max()).generate(support, start);
+    }
+
+    return start;
+}
+
+
+void Foam::SPH::particleGenerator::generate()
+{
+    Info<< "Particles before relaxation" << endl;
+    const particleStart start(makeStart());
+
+    const labelList order
+    (
+        spaceFillingOrder(start.points, domain_.minSpacing)
+    );
     List<vector> points(reordered(start.points, order));
     if (jitter_ > 0)
     {
         Random random(seed_);
-        for (vector& p : points)
+        forAll(points, i)
         {
+            const scalar amplitude = jitter_*start.spacing[order[i]];
             for (label d = 0; d < space_.nDims(); ++d)
             {
-                p[d] +=
-                    jitter_*lattice.spacing()*(2*random.sample01<scalar>() - 1);
+                points[i][d] += amplitude*(2*random.sample01<scalar>() - 1);
             }
         }
     }
@@ -294,12 +355,11 @@ void Foam::SPH::particleGenerator::generate()
         points,
         reordered(start.spacing, order),
         reordered(start.body, order),
-        reordered(start.phi, order)
+        reordered(start.phi, order),
+        jitter_ > 0
+      ? boolList(order.size(), false)
+      : boolList(reordered(start.regular, order))
     );
-    forAll(order, i)
-    {
-        particles.active[i] = jitter_ > 0 || !start.regular[order[i]];
-    }
     particles.setFixedPoints
     (
         start.fixedPoints,
@@ -309,7 +369,7 @@ void Foam::SPH::particleGenerator::generate()
     );
 
     Info<< "    particles: " << particles.nParticles()
-        << "  spacing: " << lattice.spacing() << nl << nl
+        << "  least spacing: " << min(start.spacing) << nl << nl
         << "Relaxation, " << method_->type() << endl;
 
     monitor_.reset

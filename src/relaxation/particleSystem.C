@@ -63,7 +63,8 @@ void Foam::SPH::particleSystem::setParticles
     const UList<vector>& points,
     const UList<scalar>& spacings,
     const UList<label>& bodies,
-    const UList<scalar>& distances
+    const UList<scalar>& distances,
+    const UList<bool>& isRegular
 )
 {
     const label n = points.size();
@@ -103,7 +104,12 @@ void Foam::SPH::particleSystem::setParticles
     phi = distances;
     drift.setSize(n);
     drift = Zero;
-    active = boolList(n, true);
+    regular = isRegular;
+    active.setSize(n);
+    forAll(active, i)
+    {
+        active[i] = !regular[i];
+    }
 }
 
 

@@ -72,7 +72,8 @@ bool Foam::SPH::relaxation::outOfSkin() const
 
     for (const DynamicList<label>& targets : targets_)
     {
-        #pragma omp parallel for reduction(max: largest)
+        #pragma omp parallel for reduction(max: largest) \
+            if (targets.size() > 2048)
         for (label t = 0; t < targets.size(); ++t)
         {
             const label i = targets[t];
@@ -115,6 +116,23 @@ void Foam::SPH::relaxation::findFirstLayer()
 }
 
 
+void Foam::SPH::relaxation::addRows
+(
+    const label bodyi,
+    const labelUList& targets
+)
+{
+    list_.addRows
+    (
+        targets,
+        [&](const label, const label j)
+        {
+            return method_.sees(bodyi, particles_.role[j]);
+        }
+    );
+}
+
+
 Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
 {
     const DynamicList<label>& targets = targets_[bodyi];
@@ -124,14 +142,7 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         return 0;
     }
 
-    list_.addRows
-    (
-        targets,
-        [&](const label, const label j)
-        {
-            return method_.sees(bodyi, particles_.role[j]);
-        }
-    );
+    addRows(bodyi, targets);
 
     gradientSums
     (
@@ -146,17 +157,44 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
     method_.addBoundaryTerm(bodyi, particles_, targets, sums_);
 
     const scalar step =
-        method_.displacements(bodyi, particles_, targets, sums_, steps_);
+        method_.displacements
+        (
+            bodyi, particles_, list_, targets, sums_, steps_
+        );
 
-    #pragma omp parallel for schedule(dynamic, 256)
+    // A part of the last displacement is kept while that leads downhill
+    scalar uphill = 0;
+    for (label t = 0; t < targets.size(); ++t)
+    {
+        uphill += sums_[t] & lastStep_[targets[t]];
+    }
+    const scalar unboundedBand =
+        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi) : 0;
+    const scalar momentum = uphill > 0 ? 0 : method_.momentum();
+
+    #pragma omp parallel for schedule(dynamic, 256) if (targets.size() > 2048)
     for (label t = 0; t < targets.size(); ++t)
     {
         const label i = targets[t];
         const scalar dp = particles_.spacing[i];
-        const vector dr(bounding_.move(bodyi, i, steps_[t], particles_));
 
-        residual_[i] = mag(dr)/(step*dp);
+        vector dr(steps_[t] + momentum*lastStep_[i]);
+        dr *= min(scalar(1), maxStep_*dp/max(mag(dr), VSMALL));
+
+        const vector moved(bounding_.move(bodyi, i, dr, particles_));
+
+        // A particle held at a surface may go to and fro between two surface
+        // elements: what counts is the way of two iterations
         force_[i] = mag(sums_[t])*dp;
+        const bool held =
+            mag(moved - dr) > 1e-9*dp
+         || -particles_.phi[i] - particles_.drift[i]
+          < unboundedBand*dp;
+        residual_[i] =
+            held
+          ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))
+          : force_[i];
+        lastStep_[i] = moved;
     }
 
     particles_.updateImages();
@@ -178,20 +216,28 @@ Foam::scalar Foam::SPH::relaxation::kineticEnergy(const scalar step) const
 }
 
 
-Foam::scalar Foam::SPH::relaxation::maxResidual() const
+void Foam::SPH::relaxation::findResiduals
+(
+    convergenceMonitor::record& state
+) const
 {
-    scalar largest = 0;
+    scalar absolute = 0;
+    scalar relative = 0;
 
     for (const DynamicList<label>& targets : targets_)
     {
-        #pragma omp parallel for reduction(max: largest)
+        #pragma omp parallel for reduction(max: absolute, relative) \
+            if (targets.size() > 2048)
         for (label t = 0; t < targets.size(); ++t)
         {
-            largest = max(largest, residual_[targets[t]]);
+            const label i = targets[t];
+            absolute = max(absolute, residual_[i]);
+            relative = max(relative, residual_[i]/tolerance(i));
         }
     }
 
-    return largest;
+    state.maxResidual = absolute;
+    state.relativeResidual = relative;
 }
 
 
@@ -209,14 +255,7 @@ Foam::scalar Foam::SPH::relaxation::totalError()
         }
     }
 
-    list_.addRows
-    (
-        fluid,
-        [&](const label, const label j)
-        {
-            return method_.sees(0, particles_.role[j]);
-        }
-    );
+    addRows(0, fluid);
 
     // Solids do not contribute: the sum is over the fluid's particles
     scalarField fractions;
@@ -270,8 +309,9 @@ Foam::SPH::relaxation::relaxation
     bounding_(domain, method),
     targets_(domain.bodies.size()),
     touched_(particles.nParticles(), false),
+    force_(particles.nParticles(), Zero),
     residual_(particles.nParticles(), Zero),
-    force_(particles.nParticles(), Zero)
+    lastStep_(particles.nParticles(), Zero)
 {}
 
 
@@ -279,6 +319,10 @@ Foam::SPH::relaxation::relaxation
 
 void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 {
+    if (!method_.freeze())
+    {
+        particles_.active = true;
+    }
     collectTargets();
     resetList();
     findFirstLayer();
@@ -300,7 +344,7 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
         convergenceMonitor::record state;
         state.iteration = iteration;
         state.kineticEnergy = kineticEnergy(step);
-        state.maxResidual = maxResidual();
+        findResiduals(state);
         if (monitor.logs(iteration))
         {
             state.totalError = totalError();
@@ -313,18 +357,18 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
             break;
         }
 
-        if (method_.freeze())
+        if
+        (
+            method_.freeze()
+         && (converged || iteration % activityInterval_ == 0)
+        )
         {
             updateActivity();
         }
-        if (converged || !nActive())
+        verified = converged || !nActive();
+        if (verified)
         {
             wakeTouched();
-            verified = true;
-        }
-        else
-        {
-            verified = false;
         }
 
         if (monitor.logs(iteration))

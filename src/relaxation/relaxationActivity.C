@@ -11,6 +11,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "relaxation.H"
+#include "kernelSums.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -32,22 +33,20 @@ void Foam::SPH::relaxation::collectTargets()
 }
 
 
-void Foam::SPH::relaxation::updateActivity()
+void Foam::SPH::relaxation::markMovers()
 {
     const label nParticles = particles_.nParticles();
     const label nBodies = particles_.nBodies();
-    const scalar rest = restFraction_*method_.tolerance();
+    marked_.setSize(nParticles);
+    marked_ = 0;
 
-    wake_.setSize(nParticles);
-    wake_ = 0;
-
-    const auto wake = [&](const label j)
+    const auto mark = [&](const label j)
     {
         const label i = particles_.origin(j);
         if (i < nParticles)
         {
             #pragma omp atomic write
-            wake_[i] = 1;
+            marked_[i] = 1;
         }
     };
 
@@ -57,24 +56,26 @@ void Foam::SPH::relaxation::updateActivity()
         bool seenByOthers = false;
         for (label b = 0; b < nBodies; ++b)
         {
-            seenByOthers = seenByOthers || (b != bodyi && method_.sees(b, bodyi));
+            seenByOthers =
+                seenByOthers || (b != bodyi && method_.sees(b, bodyi));
         }
 
         const DynamicList<label>& targets = targets_[bodyi];
 
-        #pragma omp parallel for schedule(dynamic, 256)
+        #pragma omp parallel for schedule(dynamic, 256) \
+            if (targets.size() > 2048)
         for (label t = 0; t < targets.size(); ++t)
         {
             const label i = targets[t];
-            if (residual_[i] <= rest)
+            if (residual_[i] <= restFraction_*tolerance(i))
             {
                 continue;
             }
 
-            wake(i);
+            mark(i);
             for (const label* s = list_.begin(i); s < list_.end(i); ++s)
             {
-                wake(*s);
+                mark(*s);
             }
             if (seenByOthers)
             {
@@ -87,17 +88,64 @@ void Foam::SPH::relaxation::updateActivity()
                         const label role = particles_.role[j];
                         if (role < nBodies && method_.sees(role, bodyi))
                         {
-                            wake(j);
+                            mark(j);
                         }
                     }
                 );
             }
         }
     }
+}
 
-    for (label i = 0; i < nParticles; ++i)
+
+void Foam::SPH::relaxation::dropUndisturbed()
+{
+    List<DynamicList<label>> untouched(particles_.nBodies());
+    forAll(marked_, i)
     {
-        particles_.active[i] = wake_[i];
+        if (marked_[i] && !touched_[i])
+        {
+            untouched[particles_.role[i]].append(i);
+        }
+    }
+
+    forAll(untouched, bodyi)
+    {
+        const DynamicList<label>& targets = untouched[bodyi];
+
+        addRows(bodyi, targets);
+        gradientSums
+        (
+            particles_,
+            list_,
+            domain_.W,
+            domain_.bodies[bodyi].smoothingRatio,
+            domain_.uniform(),
+            targets,
+            sums_
+        );
+        forAll(targets, t)
+        {
+            const label i = targets[t];
+            force_[i] = mag(sums_[t])*particles_.spacing[i];
+            marked_[i] = force_[i] > tolerance(i);
+        }
+    }
+}
+
+
+void Foam::SPH::relaxation::updateActivity()
+{
+    markMovers();
+    dropUndisturbed();
+
+    forAll(marked_, i)
+    {
+        if (!marked_[i])
+        {
+            lastStep_[i] = Zero;
+        }
+        particles_.active[i] = marked_[i];
     }
 
     collectTargets();

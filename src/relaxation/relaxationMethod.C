@@ -27,14 +27,17 @@ namespace SPH
 Foam::SPH::relaxationMethod::relaxationMethod
 (
     const dictionary& dict,
-    const relaxationDomain& domain
+    const relaxationDomain& domain,
+    const scalar defaultMomentum
 )
 :
-    tolerance_(dict.lookupOrDefault<scalar>("tolerance", 1e-3)),
-    maxIterations_(dict.lookupOrDefault<label>("maxIterations", 2000)),
-    logInterval_(dict.lookupOrDefault<label>("logInterval", 100)),
-    skin_(dict.lookupOrDefault<scalar>("skin", 0.3)),
-    freeze_(dict.lookupOrDefault<bool>("freeze", true)),
+    tolerance_(dict.getOrDefault<scalar>("tolerance", 1e-3)),
+    disturbance_(dict.getOrDefault<scalar>("disturbance", max(0.02, tolerance_))),
+    momentum_(dict.getOrDefault<scalar>("momentum", defaultMomentum)),
+    maxIterations_(dict.getOrDefault<label>("maxIterations", 2000)),
+    logInterval_(dict.getOrDefault<label>("logInterval", 100)),
+    skin_(dict.getOrDefault<scalar>("skin", 0.3)),
+    freeze_(dict.getOrDefault<bool>("freeze", true)),
     domain_(domain),
     stableStep_(domain.bodies.size())
 {
@@ -48,9 +51,17 @@ Foam::SPH::relaxationMethod::relaxationMethod
         }
     };
     check("tolerance", tolerance_, tolerance_ > 0);
+    check("disturbance", disturbance_, disturbance_ > 0);
     check("maxIterations", maxIterations_, maxIterations_ >= 0);
     check("logInterval", logInterval_, logInterval_ > 0);
     check("skin", skin_, skin_ > 0);
+
+    if (momentum_ < 0 || momentum_ > 0.99)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry momentum is " << momentum_
+            << ", which is outside the range 0 to 0.99" << exit(FatalIOError);
+    }
 
     const latticePattern square(latticePattern::SQUARE, domain.nDims());
     forAll(stableStep_, bodyi)
@@ -63,7 +74,7 @@ Foam::SPH::relaxationMethod::relaxationMethod
 
 Foam::word Foam::SPH::relaxationMethod::typeOf(const dictionary& dict)
 {
-    const word methodType(dict.lookupOrDefault<word>("type", "complex"));
+    const word methodType(dict.getOrDefault<word>("type", "complex"));
 
     if (!dictionaryConstructorTablePtr_->found(methodType))
     {
@@ -116,6 +127,7 @@ Foam::scalar Foam::SPH::relaxationMethod::displacements
 (
     const label bodyi,
     const particleSystem& particles,
+    const verletList& list,
     const labelUList& targets,
     const vectorField& sums,
     vectorField& steps
@@ -123,7 +135,7 @@ Foam::scalar Foam::SPH::relaxationMethod::displacements
 {
     scalar largest = VSMALL;
 
-    #pragma omp parallel for reduction(max: largest)
+    #pragma omp parallel for reduction(max: largest) if (targets.size() > 2048)
     for (label t = 0; t < targets.size(); ++t)
     {
         largest = max(largest, mag(sums[t])*particles.spacing[targets[t]]);
@@ -137,7 +149,7 @@ Foam::scalar Foam::SPH::relaxationMethod::displacements
 
     steps.setSize(targets.size());
 
-    #pragma omp parallel for
+    #pragma omp parallel for if (targets.size() > 2048)
     for (label t = 0; t < targets.size(); ++t)
     {
         steps[t] = -step*sqr(particles.spacing[targets[t]])*sums[t];

@@ -110,6 +110,20 @@ Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::momentum() const
+{
+    auto tmomentum = tmp<vectorField>::New(particles_.nParticles(), Zero);
+    for (label d = 0; d < particles_.nDims(); ++d)
+    {
+        tmomentum.ref().replace
+        (
+            particles_.space().axis(d), law_->conserved(1 + d)
+        );
+    }
+    return tmomentum;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::flowSolver::flowSolver

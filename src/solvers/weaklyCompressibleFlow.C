@@ -148,13 +148,7 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
     store_.write<scalar>("p", p);
     store_.write<vector>("U", U);
     store_.write<scalar>("rho", rho);
-
-    vectorField momentum(particles_.nParticles(), Zero);
-    for (label d = 0; d < particles_.nDims(); ++d)
-    {
-        momentum.replace(particles_.space().axis(d), law_->conserved(1 + d));
-    }
-    store_.write<vector>("rhoU", momentum);
+    store_.write<vector>("rhoU", momentum());
 
     IOdictionary properties(propertiesIO());
     properties.set("soundSpeed", fluid_.c);

@@ -9,6 +9,7 @@ License
 
 #include "commonFields.H"
 #include "storedFields.H"
+#include "timeSelector.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -62,7 +63,7 @@ namespace SPH
                 bool known = time.name() == "constant";
                 for (const instant& t : result)
                 {
-                    known = known || t.equal(time.value());
+                    known = known || referenceCase::equal(t, time);
                 }
                 if (!known)
                 {
@@ -158,6 +159,40 @@ Foam::SPH::commonFields::commonFields
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::instantList Foam::SPH::commonFields::select(const argList& args) const
+{
+    const instantList selected(timeSelector::select(times_, args));
+
+    if (selected.empty())
+    {
+        FatalErrorInFunction
+            << "The time options select none of the times with fields of both"
+            << " methods. Valid choices: " << names(times_).c_str()
+            << exit(FatalError);
+    }
+
+    return selected;
+}
+
+
+void Foam::SPH::commonFields::print() const
+{
+    Info<< "Times with FVM and SPH fields: " << names(times_).c_str() << nl;
+
+    if (fvmOnly_.size())
+    {
+        Info<< "Not compared, FVM fields only: " << names(fvmOnly_).c_str()
+            << nl;
+    }
+    if (sphOnly_.size())
+    {
+        Info<< "Not compared, SPH fields only: " << names(sphOnly_).c_str()
+            << nl;
+    }
+    Info<< endl;
+}
+
 
 std::string Foam::SPH::commonFields::names(const instantList& times)
 {

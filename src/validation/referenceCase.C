@@ -94,7 +94,7 @@ Foam::word Foam::SPH::referenceCase::timeName(const instant& time) const
 {
     for (const instant& t : times())
     {
-        if (t.equal(time.value()))
+        if (equal(t, time))
         {
             return t.name();
         }

@@ -1,0 +1,66 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Application
+    rhoSphFoam
+
+Description
+    Compressible laminar flow of a perfect gas by Eulerian SPH, on the
+    particles of constant/sphMesh and from the fields, properties and
+    controls that rhoCentralFoam uses.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "compressibleFlow.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Eulerian SPH solver for compressible laminar flow"
+    );
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+
+    Info<< "Create time\n" << endl;
+    SPH::sphTime runTime(args);
+
+    #include "createMesh.H"
+
+    Info<< "Reading particle mesh\n" << endl;
+    const SPH::sphMesh particles(mesh);
+
+    SPH::compressibleFlow flow(runTime, particles);
+
+    Info<< "Starting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        flow.setDeltaT();
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        flow.advance();
+
+        if (runTime.writeTime())
+        {
+            flow.writeTime();
+        }
+
+        runTime.printProgress();
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

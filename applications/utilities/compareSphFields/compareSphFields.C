@@ -1,0 +1,151 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Application
+    compareSphFields
+
+Description
+    Compares SPH fields \<field\>.sph with the FVM fields \<field\> of the same
+    case and time, or of another case: norms, pictures, profiles and a report
+    in postProcessing/compareSphFields/\<time\>.
+
+Usage
+    \b compareSphFields [-time RANGES | -latestTime] [-fields '(U p)']
+    [-reference CASE] [-dict FILE] [-noPictures]
+
+    What is shown can be chosen in system/compareSphFieldsDict, see
+    comparisonControls.
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "comparisonPictures.H"
+#include "comparisonProfiles.H"
+#include "comparisonReport.H"
+#include "IOdictionary.H"
+#include "timeSelector.H"
+#include "virtualDisplay.H"
+
+using namespace Foam;
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Compare SPH fields with FVM fields");
+    timeSelector::addOptions(false, true);
+    #include "addDictOption.H"
+    #include "addRegionOption.H"
+    argList::addOption
+    (
+        "fields",
+        "wordRes",
+        "Compare only the fields that match, eg '(U p)'; default: all"
+    );
+    argList::addOption
+    (
+        "reference",
+        "case",
+        "Compare with the FVM fields of another case, mapped to this mesh"
+    );
+    argList::addBoolOption("noPictures", "Norms and profiles only");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createNamedMesh.H"
+
+    const word dictName("compareSphFieldsDict");
+    #include "setSystemMeshDictionaryIO.H"
+    dictIO.readOpt() =
+        args.found("dict") ? IOobject::MUST_READ : IOobject::READ_IF_PRESENT;
+
+    IOdictionary dict(dictIO);
+    if (args.found("fields"))
+    {
+        dict.set("fields", args.getList<wordRe>("fields"));
+    }
+
+    const SPH::comparisonControls controls(dict);
+    const SPH::referenceCase reference
+    (
+        args.found("reference")
+      ? SPH::referenceCase(mesh, args.get<fileName>("reference"))
+      : SPH::referenceCase(mesh)
+    );
+    const SPH::commonFields common(mesh, reference, controls.fields());
+    common.print();
+
+    const instantList times(common.select(args));
+
+    const SPH::solutionSpace space(mesh);
+    const SPH::comparisonProfiles profiles(mesh, space, controls);
+
+    // Pictures, profiles and report need the whole mesh
+    const bool serial = !Pstream::parRun();
+
+    autoPtr<SPH::virtualDisplay> display;
+    autoPtr<SPH::comparisonPictures> pictures;
+    if (serial && !args.found("noPictures"))
+    {
+        display.reset(new SPH::virtualDisplay);
+        if (SPH::virtualDisplay::available())
+        {
+            pictures.reset
+            (
+                new SPH::comparisonPictures(mesh, space, controls)
+            );
+        }
+        else
+        {
+            WarningInFunction
+                << "No X server for pictures: install xvfb. Going on without"
+                << " pictures" << endl;
+        }
+    }
+
+    forAll(times, timei)
+    {
+        runTime.setTime(times[timei], timei);
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        const fileName folder
+        (
+            runTime.globalPath()/"postProcessing"/"compareSphFields"
+           /runTime.timeName()
+        );
+
+        const SPH::fieldComparison comparison
+        (
+            mesh, reference, times[timei], common.fields(times[timei])
+        );
+        comparison.norms().write(folder/"norms.csv");
+        SPH::comparisonReport::print(comparison);
+
+        if (serial)
+        {
+            const SPH::comparisonReport report
+            (
+                mesh,
+                reference,
+                common,
+                comparison,
+                pictures.valid()
+              ? pictures->write(comparison, folder)
+              : DynamicList<fileName>(),
+                profiles.write(comparison, folder)
+            );
+            report.write(folder/"report.html");
+        }
+
+        Info<< nl << "    Written to " << folder << nl << nl;
+    }
+
+    Info<< "ExecutionTime = " << runTime.elapsedCpuTime() << " s" << nl << nl
+        << "End" << nl << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //

@@ -1,1 +1,0 @@
-../sphMesh/sphMeshIO.C

@@ -1,1 +1,0 @@
-../finiteParticle/timeScheme.C

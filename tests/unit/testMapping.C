@@ -1,0 +1,578 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testCase.H"
+#include "DynamicList.H"
+#include "IOField.H"
+#include "meshToParticles.H"
+#include "movingLeastSquares.H"
+#include "OSspecific.H"
+#include "particlesToMesh.H"
+#include "pointTree.H"
+#include "Random.H"
+#include "storedFields.H"
+
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Directions 0 .. nDims - 1 of a unit cube
+solutionSpace unitSpace(const label nDims)
+{
+    return solutionSpace(nDims, FixedList<direction, 3>({0, 1, 2}), 1, Zero);
+}
+
+
+//- n points a direction in the unit cube, moved by up to jitter/2 spacings
+pointField lattice(const label nDims, const label n, const scalar jitter)
+{
+    Random random(17);
+    DynamicList<point> points;
+
+    for (label k = 0; k < (nDims > 2 ? n : 1); ++k)
+    {
+        for (label j = 0; j < (nDims > 1 ? n : 1); ++j)
+        {
+            for (label i = 0; i < n; ++i)
+            {
+                const labelVector ijk(i, j, k);
+                point p(Zero);
+                for (direction d = 0; d < nDims; ++d)
+                {
+                    p[d] =
+                        (
+                            ijk[d] + 0.5
+                          + jitter*(random.sample01<scalar>() - 0.5)
+                        )/n;
+                }
+                points.append(p);
+            }
+        }
+    }
+    return pointField(points);
+}
+
+
+scalarField values
+(
+    const pointField& points,
+    const std::function<scalar(const point&)>& f
+)
+{
+    scalarField result(points.size());
+    forAll(result, i)
+    {
+        result[i] = f(points[i]);
+    }
+    return result;
+}
+
+
+scalar linear(const point& p)
+{
+    return 1e3*(3 + 2*p.x() - 5*p.y() + 0.7*p.z());
+}
+
+
+scalar smooth(const point& p)
+{
+    return std::sin(3*p.x() + 0.3)*std::cos(2*p.y())*std::exp(p.z());
+}
+
+
+//- Values of f mapped from a jittered lattice of n to a lattice of m points
+scalarField mapped
+(
+    const label nDims,
+    const label n,
+    const label m,
+    const std::function<scalar(const point&)>& f
+)
+{
+    const pointField from(lattice(nDims, n, 0.5));
+    const pointField to(lattice(nDims, m, 0));
+    const scalarField fromSpacing(from.size(), 1.0/n);
+    const scalarField toSpacing(to.size(), 1.0/m);
+
+    const movingLeastSquares map
+    (
+        unitSpace(nDims), {from, fromSpacing}, {to, toSpacing}
+    );
+
+    scalarField result(to.size());
+    map.map(values(from, f), result);
+    return result;
+}
+
+
+//- Particles on a jittered lattice in the box of a case's mesh
+std::unique_ptr<sphMesh> particleLattice(const fvMesh& mesh, const label n)
+{
+    const solutionSpace space(mesh);
+    const vector span(mesh.bounds().span());
+
+    particleMeshData data;
+    data.points = lattice(space.nDims(), n, 0.4);
+    for (point& p : data.points)
+    {
+        p = space.position
+        (
+            space.toLocal(mesh.bounds().min() + cmptMultiply(p, span))
+        );
+    }
+
+    const label nParticles = data.points.size();
+    data.V = scalarField(nParticles, gSum(mesh.V())/nParticles);
+    data.spacing =
+        scalarField(nParticles, space.spacing(data.V[0]));
+    data.boundary.start = labelList(mesh.boundary().size() + 1, 0);
+
+    return std::unique_ptr<sphMesh>
+    (
+        new sphMesh(mesh, dictionary(), std::move(data))
+    );
+}
+
+
+//- A scalar volField with zeroGradient patches that is not written
+volScalarField cellField(const fvMesh& mesh, const scalar value)
+{
+    return volScalarField
+    (
+        IOobject("f", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("f", dimless, value),
+        "zeroGradient"
+    );
+}
+
+
+std::string content(const fileName& file)
+{
+    std::ifstream is(file);
+    return std::string
+    (
+        std::istreambuf_iterator<char>(is),
+        std::istreambuf_iterator<char>()
+    );
+}
+
+
+//- Every number of points a direction of sources with targets of a fifth, of
+//- the same and of four times the spacing
+class MappedSpacing
+:
+    public testing::TestWithParam<std::tuple<label, scalar>>
+{
+protected:
+
+    label nDims() const
+    {
+        return std::get<0>(GetParam());
+    }
+
+    //- Targets a direction for n sources
+    label targets(const label n) const
+    {
+        return max(label(1), label(n/std::get<1>(GetParam())));
+    }
+
+    label sources() const
+    {
+        return nDims() == 3 ? 8 : 16;
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+TEST_P(MappedSpacing, uniformFieldsStayBitwiseUniform)
+{
+    const scalar value = 0.1 + 1.0/3.0;
+    const label n = sources();
+
+    for
+    (
+        const scalar v
+      : mapped(nDims(), n, targets(n), [&](const point&) { return value; })
+    )
+    {
+        EXPECT_EQ(v, value);
+    }
+}
+
+
+TEST_P(MappedSpacing, linearFieldsAreExact)
+{
+    const label n = sources();
+    const label m = targets(n);
+    const scalarField expected(values(lattice(nDims(), m, 0), linear));
+    const scalarField result(mapped(nDims(), n, m, linear));
+
+    // Magnitude of the field 1e4, weights up to 4
+    EXPECT_LT(max(mag(result - expected)), 1e-11*1e4);
+}
+
+
+TEST_P(MappedSpacing, smoothFieldsConvergeAtSecondOrder)
+{
+    scalar coarse = 0;
+    for (const label n : {sources(), 2*sources()})
+    {
+        const label m = targets(n);
+        const scalarField expected(values(lattice(nDims(), m, 0), smooth));
+        const scalar error =
+            max(mag(mapped(nDims(), n, m, smooth) - expected));
+
+        if (coarse > 0)
+        {
+            // 4 in the limit; the largest error sits at a corner that comes
+            // closer to the boundary
+            EXPECT_GT(coarse/error, 2.8) << coarse << " to " << error;
+        }
+        coarse = error;
+    }
+}
+
+
+INSTANTIATE_TEST_SUITE_P
+(
+    MovingLeastSquares,
+    MappedSpacing,
+    testing::Combine(testing::Values(1, 2, 3), testing::Values(0.2, 1.0, 4.0))
+);
+
+
+TEST(MovingLeastSquares, largeTargetsGetTheirAverage)
+{
+    // The average of x^2 + y^2 over a square of edge s is s^2/6 more than the
+    // value at its centre
+    const auto f = [](const point& p) { return magSqr(p); };
+    const label m = 8;
+    const scalarField centre(values(lattice(2, m, 0), f));
+    const scalarField result(mapped(2, 16*m, m, f));
+    const scalar excess = 1.0/(6*m*m);
+
+    for (label j = 2; j < m - 2; ++j)
+    {
+        for (label i = 2; i < m - 2; ++i)
+        {
+            const label k = i + m*j;
+            EXPECT_NEAR(result[k] - centre[k], excess, 0.1*excess);
+        }
+    }
+}
+
+
+TEST(MovingLeastSquares, awkwardSourcesGiveFiniteValuesWithinReason)
+{
+    const solutionSpace space(unitSpace(3));
+    const pointField targets(lattice(3, 3, 0));
+    const scalarField targetSpacing(targets.size(), 1.0/3.0);
+
+    DynamicList<pointField> clouds;
+    clouds.append(pointField(1, point(0.5, 0.5, 0.5)));
+    clouds.append(pointField(30, point(0.2, 0.7, 0.1)));
+    clouds.append(pointField(1, point(100, -30, 5)));
+    clouds.append(lattice(1, 10, 0));
+    clouds.append(lattice(2, 10, 0));
+
+    // A line askew, and a far and thin pair of lines
+    pointField askew(10);
+    pointField thin(20);
+    forAll(askew, i)
+    {
+        askew[i] = 0.1*i*vector(1, 1, 1);
+        thin[2*i] = point(0.1*i, 0, 3);
+        thin[2*i + 1] = point(0.1*i, 1e-9, 3);
+    }
+    clouds.append(askew);
+    clouds.append(thin);
+
+    for (const pointField& cloud : clouds)
+    {
+        const scalarField spacing(cloud.size(), 0.1);
+        const movingLeastSquares map
+        (
+            space, {cloud, spacing}, {targets, targetSpacing}
+        );
+
+        scalarField ones(targets.size());
+        map.map(scalarField(cloud.size(), 1), ones);
+        EXPECT_EQ(ones, scalarField(targets.size(), 1));
+
+        // Alternating values between -1 and 1, for which a fit that divides
+        // by the thickness of the cloud explodes
+        scalarField alternating(cloud.size());
+        forAll(alternating, i)
+        {
+            alternating[i] = i % 2 ? 1 : -1;
+        }
+        scalarField result(targets.size());
+        map.map(alternating, result);
+        for (const scalar v : result)
+        {
+            EXPECT_TRUE(std::isfinite(v));
+            EXPECT_LT(mag(v), 100);
+        }
+    }
+}
+
+
+TEST(MovingLeastSquares, sourcesOnALineAreExactAlongIt)
+{
+    const pointField line(lattice(1, 10, 0));
+    const scalarField spacing(line.size(), 0.1);
+    const pointField target(1, point(0.33, 0.4, 0));
+
+    const movingLeastSquares map
+    (
+        unitSpace(2), {line, spacing}, {target, scalarField(1, 0.1)}
+    );
+    scalarField result(1);
+    map.map(values(line, linear), result);
+
+    EXPECT_NEAR(result[0], linear(point(0.33, 0, 0)), 1e-9);
+}
+
+
+TEST(MovingLeastSquares, boundedMappingKeepsAJumpInItsRange)
+{
+    const pointField from(lattice(2, 12, 0.3));
+    const pointField to(lattice(2, 50, 0));
+    const scalarField fromSpacing(from.size(), 1.0/12);
+    const scalarField toSpacing(to.size(), 1.0/50);
+    const scalarField jump
+    (
+        values
+        (
+            from,
+            [](const point& p) { return p.x() + 0.6*p.y() < 0.7 ? 116.5 : 1; }
+        )
+    );
+
+    const movingLeastSquares map
+    (
+        unitSpace(2), {from, fromSpacing}, {to, toSpacing}
+    );
+
+    scalarField free(to.size());
+    scalarField bounded(to.size());
+    map.map(jump, free);
+    map.map(jump, bounded, true);
+
+    EXPECT_LT(min(free), 1) << "not a case that needs bounds";
+    EXPECT_GE(min(bounded), 1);
+    EXPECT_LE(max(bounded), 116.5);
+}
+
+
+TEST(MovingLeastSquares, needsSources)
+{
+    const pointField none;
+    const pointField target(1, point(Zero));
+
+    EXPECT_NE
+    (
+        errorMessage
+        (
+            [&]
+            {
+                movingLeastSquares
+                (
+                    unitSpace(2),
+                    {none, scalarField()},
+                    {target, scalarField(1, 0.1)}
+                );
+            }
+        ).find("from no points"),
+        std::string::npos
+    );
+}
+
+
+TEST(PointTree, findsWhatABruteForceSearchFinds)
+{
+    // Spacings that differ by 100, and coincident points
+    pointField points(lattice(3, 6, 0.8));
+    points.append(0.01*lattice(3, 6, 0.8));
+    points.append(pointField(40, point(0.3, 0.3, 0.3)));
+
+    const pointTree tree(points);
+    DynamicList<label> found;
+
+    Random random(5);
+    for (label n = 0; n < 200; ++n)
+    {
+        const point x(1.2*random.sample01<vector>());
+        const scalar r = 0.3*random.sample01<scalar>();
+
+        DynamicList<label> expected;
+        scalar nearest = GREAT;
+        forAll(points, i)
+        {
+            nearest = min(nearest, mag(points[i] - x));
+            if (magSqr(points[i] - x) <= sqr(r))
+            {
+                expected.append(i);
+            }
+        }
+
+        tree.sphere(x, r, found);
+        EXPECT_EQ(labelList(found), labelList(expected));
+        EXPECT_EQ(mag(points[tree.nearest(x)] - x), nearest);
+    }
+}
+
+
+TEST(ParticlesToMesh, mapsCellsAndPatchFacesOfAMeshExactly)
+{
+    testCase::layout layout;
+    layout.nCells = labelVector(20, 7, 1);
+    layout.box = boundBox(point(-1, 2, 0), point(1, 3, 0.1));
+    testCase box(layout);
+    const fvMesh& mesh = box.mesh();
+
+    const auto particles = particleLattice(mesh, 15);
+    const particlesToMesh mapper(*particles);
+
+    // The particles are on the mid-plane
+    const auto f = [](const point& p)
+    {
+        return linear(point(p.x(), p.y(), 0));
+    };
+    const scalarField particleValues(values(particles->C(), f));
+
+    volScalarField result(cellField(mesh, 0));
+    mapper.map(particleValues, result);
+
+    EXPECT_LT
+    (
+        max(mag(result.primitiveField() - values(mesh.cellCentres(), f))),
+        1e-7
+    );
+
+    const label left = mesh.boundaryMesh().findPatchID("left");
+    EXPECT_EQ
+    (
+        scalarField(result.boundaryField()[left]),
+        scalarField(result.boundaryField()[left].patchInternalField())
+    );
+    EXPECT_LT
+    (
+        max
+        (
+            mag
+            (
+                mapper.mapToPatch(particleValues, left)
+              - values(mesh.boundary()[left].Cf(), f)
+            )
+        ),
+        1e-7
+    );
+}
+
+
+TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
+{
+    testCase box(testCase::layout{});
+    const fvMesh& mesh = box.mesh();
+    const auto particles = particleLattice(mesh, 13);
+    const meshToParticles mapper(*particles);
+
+    const scalar value = 1.0/3.0;
+    for (const scalar v : mapper.map(cellField(mesh, value))())
+    {
+        EXPECT_EQ(v, value);
+    }
+
+    volScalarField cells(cellField(mesh, 0));
+    cells.primitiveFieldRef() = values(mesh.cellCentres(), linear);
+    pointField plane(particles->C());
+    EXPECT_LT
+    (
+        max(mag(mapper.map(cells, false)() - values(plane, linear))), 1e-8
+    );
+}
+
+
+TEST(StoredFields, areMappedWithTheBoundaryConditionsOfTheCase)
+{
+    testCase box(testCase::layout{});
+    const fvMesh& mesh = box.mesh();
+    const auto particles = particleLattice(mesh, 10);
+    const particlesToMesh mapper(*particles);
+    const storedFields fields(*particles, mapper);
+
+    const std::string fvm
+    (
+        "dimensions [0 2 -2 0 0 0 0]; internalField uniform 7;"
+        " boundaryField { left { type fixedValue; value uniform 3; }"
+        " right { type inletOutlet; inletValue uniform 5; value uniform 5; }"
+        " bottom { type zeroGradient; } top { type zeroGradient; }"
+        " frontAndBack { type empty; } }"
+    );
+    box.write("0/p", fvm, "volScalarField");
+    const std::string before(content(box.path()/"0/p"));
+
+    const scalarField x(particles->C().component(0));
+    const auto store = [&](const word& name, const scalarField& field)
+    {
+        IOField<scalar>
+        (
+            IOobject(name, "0", storedFields::folder(), mesh), field
+        ).write();
+    };
+    store("p", 2*x);
+    store("unknown", x);
+
+    EXPECT_EQ(fields.map(wordRes()), 1);
+    EXPECT_EQ(content(box.path()/"0/p"), before);
+
+    const volScalarField result
+    (
+        IOobject("p.sph", "0", mesh, IOobject::MUST_READ), mesh
+    );
+    EXPECT_EQ(result.dimensions(), dimPressure/dimDensity);
+    EXPECT_EQ(result.boundaryField()[0].type(), "fixedValue");
+    EXPECT_EQ(result.boundaryField()[1].type(), "inletOutlet");
+
+    // ASCII with six digits
+    const scalar tolerance = 1e-5;
+    forAll(result, celli)
+    {
+        EXPECT_NEAR(result[celli], 2*mesh.C()[celli].x(), tolerance);
+    }
+    for (const scalar v : result.boundaryField()[0])
+    {
+        EXPECT_EQ(v, 3);
+    }
+    for (const scalar v : result.boundaryField()[1])
+    {
+        EXPECT_NEAR(v, 2, tolerance);
+    }
+
+    store("p", scalarField(3, Zero));
+    const std::string message(errorMessage([&] { fields.map(wordRes()); }));
+    EXPECT_NE(message.find("lagrangian/sph/p"), std::string::npos) << message;
+    EXPECT_NE(message.find("3 values"), std::string::npos) << message;
+    EXPECT_NE(message.find("100 particles"), std::string::npos) << message;
+}
+
+// ************************************************************************* //
