@@ -64,7 +64,8 @@ void Foam::SPH::meshQuality::findSupported()
         }
     }
 
-    supported_ = boolList(points.size(), true);
+    supported_.setSize(points.size());
+    supported_ = true;
 
     #pragma omp parallel for schedule(dynamic, 256)
     for (label i = 0; i < points.size(); ++i)

@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Application
+    checkSphMesh
+
+Description
+    Checks the particle mesh in constant/sphMesh: what checkMesh is to cells.
+
+    Prints the quality measures of the particles and of their closure, marks
+    those beyond their limit with ***, and writes all of them to
+    postProcessing/checkSphMesh/\<time\>/quality.csv.
+
+Usage
+    \b checkSphMesh [OPTION]
+
+      - \par -writeVTK
+        Write particles of fluid and solids, boundary surface vectors and the
+        area vectors of the FVM faces as VTK PolyData beside quality.csv
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "meshQuality.H"
+#include "meshQualityVtp.H"
+#include "patchSurface.H"
+#include "solidParticles.H"
+#include "surfaceDistance.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Check the quality of a particle mesh");
+    argList::noParallel();
+    argList::addBoolOption("writeVTK", "Write particles and surface vectors");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const SPH::sphMesh particles(mesh);
+    const List<SPH::particleSet> solids(SPH::readSolidParticles(mesh));
+
+    const SPH::patchSurface surface(mesh, particles.space());
+    const SPH::surfaceDistance fluid
+    (
+        surface, particles.W().support(max(particles.spacing()))
+    );
+    const SPH::meshQuality quality(particles, solids, fluid);
+
+    Info<< "Time = " << runTime.timeName() << nl << nl
+        << "Particle mesh" << nl
+        << "    particles:       " << particles.nParticles() << nl
+        << "    pairs:           " << particles.nPairs() << nl
+        << "    boundary faces:  " << particles.boundary().nFaces() << nl
+        << "    solid particles: "
+        << quality.nearest().size() - particles.nParticles() << nl << nl
+        << "Checking quality..." << nl;
+    quality.report(Info());
+
+    const fileName folder
+    (
+        runTime.path()/"postProcessing"/"checkSphMesh"/runTime.timeName()
+    );
+    quality.write(folder/"quality.csv");
+    if (args.found("writeVTK"))
+    {
+        SPH::writeMeshQualityVtp(particles, solids, quality, folder);
+    }
+
+    Info<< nl << "Written to " << folder << nl << nl << "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //
