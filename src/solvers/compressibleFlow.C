@@ -67,7 +67,7 @@ void Foam::SPH::compressibleFlow::writeFields()
     writeMapped(T, T_);
     writeMapped(p, p_);
 
-    auto& states = refCast<compressibleStates>(*faces_);
+    auto& states = static_cast<compressibleStates&>(*faces_);
     states.correctDensity();
     writeMapped
     (
