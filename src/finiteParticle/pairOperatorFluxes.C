@@ -297,11 +297,20 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
             outer[v] = faces_.own(v, facei) ? L[v] : faces_.value(v, facei);
         }
 
+        vars absorbing(outer);
+        for (int v = 0; v < nVars; ++v)
+        {
+            if (faces_.follows(v, facei))
+            {
+                absorbing[v] = faces_.followed(v, facei);
+            }
+        }
+
         const auto type = faces_.type(facei);
         const typename Flux::faceFlux F
         (
             type == faceStates::open
-          ? flux_.openFlux(L, outer, I, n)
+          ? flux_.openFlux(L, absorbing, I, n)
           : flux_.wallFlux(L, outer, I, n)
         );
 

@@ -38,6 +38,7 @@ void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
 
     if (timeScheme_->advance(*law_, *faces_, dt))
     {
+        faces_->follow(law_->W(), dt);
         return;
     }
 

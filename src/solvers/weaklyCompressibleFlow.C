@@ -9,6 +9,8 @@ License
 
 #include "weaklyCompressibleFlow.H"
 #include "meshToParticles.H"
+#include "compat.H"
+#include "scalarIOField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -118,6 +120,35 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
 }
 
 
+Foam::IOobject Foam::SPH::weaklyCompressibleFlow::outerStateIO() const
+{
+    IOobject io(propertiesIO());
+    io.rename("outerState");
+    return io;
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
+{
+    const scalar tau = schemes_.getCheckOrDefault<scalar>
+    (
+        "absorptionTime",
+        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()))
+       /fluid_.c,
+        [](const scalar value) { return value >= 0; }
+    );
+
+    faces_->correct(law_->W());
+    faces_->startFollowing(tau, law_->W());
+
+    const scalarIOField stored(outerStateIO());
+    if (stored.size() == faces_->followed().size())
+    {
+        faces_->followed() = stored;
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::wordList Foam::SPH::weaklyCompressibleFlow::stateNames() const
@@ -157,6 +188,9 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
     properties.set("soundSpeed", fluid_.c);
     properties.regIOobject::write();
 
+    const scalarIOField outerState(outerStateIO(), faces_->followed());
+    writeAs(outerState, IOstream::BINARY);
+
     writeMapped(U, U_);
     writeMapped(p, p_);
 }
@@ -193,6 +227,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
     setStart();
+    setAbsorption();
 }
 
 
