@@ -11,6 +11,7 @@ License
 #include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
+#include "particleRepair.H"
 #include "relaxation.H"
 #include "separateNoBooleanRelaxation.H"
 #include "spaceFillingCurve.H"
@@ -108,6 +109,7 @@ void Foam::SPH::particleGenerator::setDomain()
     domain_.high = space_.toLocal(box.max());
     domain_.fluidVolume = gSum(mesh_.V())/space_.thickness();
     domain_.minSpacing = spacing_->min();
+    domain_.wallDistance = pattern_->wallDistance();
 
     for (const vector& T : periodicTranslations(mesh_))
     {
@@ -235,7 +237,7 @@ Foam::SPH::particleGenerator::particleGenerator
     surface_(mesh, space_),
     spacing_(spacingFunction::New(surface_, dict_)),
     bodies_(surface_, dict_, kernel_->smoothingRatio()),
-    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, {}}
+    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, 0.5, {}}
 {
     readLattice();
     bodies_.checkSize(*spacing_);
@@ -321,6 +323,31 @@ Foam::SPH::particleStart Foam::SPH::particleGenerator::makeStart()
 }
 
 
+void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
+{
+    const label maxRepairs = 5;
+
+    particleRepair repair(domain_, particles);
+
+    for (label round = 0; round <= maxRepairs; ++round)
+    {
+        relaxation(domain_, *method_, particles).run(*monitor_);
+
+        if (repair.check())
+        {
+            return;
+        }
+        if (round < maxRepairs)
+        {
+            repair.report(Info);
+            repair.repair();
+        }
+    }
+
+    repair.fail();
+}
+
+
 void Foam::SPH::particleGenerator::generate()
 {
     Info<< "Particles before relaxation" << endl;
@@ -381,7 +408,7 @@ void Foam::SPH::particleGenerator::generate()
             method_->maxIterations()
         )
     );
-    relaxation(domain_, *method_, particles).run(*monitor_);
+    relaxAndRepair(particles);
 
     const fileName directory
     (
