@@ -110,7 +110,8 @@ int main(int argc, char *argv[])
         labelList(prisms.owner()),
         labelList(prisms.neighbour())
     );
-    prisms.addPatches(mesh);
+    List<polyPatch*> meshPatches(prisms.newPatches(mesh.boundaryMesh()));
+    mesh.addPatches(meshPatches);
 
     IOstream::defaultPrecision(max(16u, IOstream::defaultPrecision()));
     mesh.removeFiles();

@@ -301,7 +301,10 @@ Foam::pointField Foam::SPH::prismMesh::points() const
 }
 
 
-void Foam::SPH::prismMesh::addPatches(polyMesh& mesh) const
+Foam::List<Foam::polyPatch*> Foam::SPH::prismMesh::newPatches
+(
+    const polyBoundaryMesh& boundary
+) const
 {
     List<polyPatch*> patches(patchNames_.size());
     label start = neighbour_.size();
@@ -315,12 +318,12 @@ void Foam::SPH::prismMesh::addPatches(polyMesh& mesh) const
             patchSizes_[patchi],
             start,
             patchi,
-            mesh.boundaryMesh()
+            boundary
         ).ptr();
         start += patchSizes_[patchi];
     }
 
-    mesh.addPatches(patches);
+    return patches;
 }
 
 

@@ -160,10 +160,7 @@ int main(int argc, char *argv[])
     const scalar dp = particles.spacing()[0];
 
     List<vector> shifts(SPH::imageOffsets(SPH::periodicTranslations(mesh)));
-    if (!shifts.found(vector::zero))
-    {
-        shifts.append(vector::zero);
-    }
+    shifts.append(vector::zero);
 
     pointField walls;
     for (const polyPatch& pp : mesh.boundaryMesh())
