@@ -21,7 +21,7 @@ Usage
         From one seed to the next, default 1
 
       - \par -limit \<seconds\>
-        For each scene, default 30
+        Processor time for each scene, default 30
 
       - \par -write
         Write the mesh, the dictionary and the particles to the case
@@ -43,6 +43,7 @@ Usage
 #include "Time.H"
 #include "volFields.H"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -260,7 +261,7 @@ int main(int argc, char *argv[])
     argList::addOption("first", "label", "First seed");
     argList::addOption("last", "label", "Last seed");
     argList::addOption("step", "label", "From one seed to the next, default 1");
-    argList::addOption("limit", "seconds", "For each scene, default 30");
+    argList::addOption("limit", "seconds", "Processor time for each scene, default 30");
     argList::addBoolOption("write", "Write mesh and particles to the case");
 
     #include "setRootCase.H"
@@ -284,8 +285,11 @@ int main(int argc, char *argv[])
         const pid_t child = fork();
         if (child == 0)
         {
+            // On a busy machine the time of the clock says little
+            const rlimit cpu = {rlim_t(limit), rlim_t(limit)};
+            ::setrlimit(RLIMIT_CPU, &cpu);
             ::signal(SIGALRM, SIG_DFL);
-            ::alarm(limit);
+            ::alarm(10*limit);
             run(runTime, randomScene(kind, seed), name, write);
             ::_exit(0);
         }
@@ -294,10 +298,14 @@ int main(int argc, char *argv[])
         ::waitpid(child, &status, 0);
         if (WIFSIGNALED(status))
         {
+            const int number = WTERMSIG(status);
+            const bool hangs =
+                number == SIGALRM || number == SIGXCPU || number == SIGKILL;
+
             std::cout
                 << "FAIL " << name
-                << (WTERMSIG(status) == SIGALRM ? " hangs" : " crashes")
-                << ": signal " << WTERMSIG(status) << std::endl;
+                << (hangs ? " hangs" : " crashes")
+                << ": signal " << number << std::endl;
         }
         else if (WEXITSTATUS(status) != 0)
         {
