@@ -497,7 +497,8 @@ TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
     const meshToParticles mapper(*particles);
 
     const scalar value = 1.0/3.0;
-    for (const scalar v : mapper.map(cellField(mesh, value))())
+    const scalarField uniform(mapper.map(cellField(mesh, value)));
+    for (const scalar v : uniform)
     {
         EXPECT_EQ(v, value);
     }
