@@ -124,7 +124,7 @@ class symplecticEuler
         const scalar dt
     ) const
     {
-        const label firstAfter = 1 + law.particles().nDims();
+        const label firstAfter = 1 + loopDims(law.particles());
 
         evaluate(law, faces);
         if (!law.update(0, dt, 1, firstAfter))

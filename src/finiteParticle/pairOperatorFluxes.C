@@ -12,7 +12,6 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
-template<bool Skewed>
 inline Foam::label
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 (
@@ -86,7 +85,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
                 for (int d = 0; d < nDims; ++d)
                 {
                     const scalar half = 0.5*sign*delta[d];
-                    const scalar skew = Skewed ? skews[d][e] : 0;
+                    const scalar skew = skews[d][e];
                     stepI += G[v*nDims + d][i]*(skew + half);
                     stepJ += G[v*nDims + d][j]*(skew - half);
                 }

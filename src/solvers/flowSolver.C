@@ -79,13 +79,13 @@ void Foam::SPH::flowSolver::setStart()
         List<scalarField> Q(law_->nVariables());
         Q[0] = store_.read<scalar>(names[0]);
         const vectorField momentum(store_.read<vector>(names[1]));
-        for (label d = 0; d < space.nDims(); ++d)
+        for (label d = 0; d < loopDims(particles_); ++d)
         {
             Q[1 + d] = momentum.component(space.axis(d));
         }
         for (label k = 2; k < names.size(); ++k)
         {
-            Q[space.nDims() + k - 1] = store_.read<scalar>(names[k]);
+            Q[loopDims(particles_) + k - 1] = store_.read<scalar>(names[k]);
         }
         law_->setConserved(Q);
     }
@@ -109,7 +109,7 @@ void Foam::SPH::flowSolver::setStart()
 Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
 {
     auto tU = tmp<vectorField>::New(particles_.nParticles(), Zero);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         tU.ref().replace(particles_.space().axis(d), law_->primitive(1 + d));
     }
@@ -120,7 +120,7 @@ Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
 Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::momentum() const
 {
     auto tmomentum = tmp<vectorField>::New(particles_.nParticles(), Zero);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         tmomentum.ref().replace
         (

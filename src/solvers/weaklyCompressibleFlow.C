@@ -163,9 +163,9 @@ Foam::SPH::weaklyCompressibleFlow::initialState() const
     const meshToParticles toParticles(particles_);
     const vectorField U(toParticles.map(U_));
 
-    List<scalarField> W(1 + particles_.nDims());
+    List<scalarField> W(1 + loopDims(particles_));
     W[0] = toParticles.map(p_);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         W[1 + d] = U.component(particles_.space().axis(d));
     }
