@@ -67,9 +67,9 @@ void Foam::SPH::particleGenerator::readLattice()
     if (dict_.isDict("lattice"))
     {
         const dictionary& dict = dict_.subDict("lattice");
-        type = dict.lookupOrDefault<word>("type", type);
-        jitter_ = dict.lookupOrDefault<scalar>("jitter", 0);
-        seed_ = dict.lookupOrDefault<label>("seed", 1);
+        type = dict.getOrDefault<word>("type", type);
+        jitter_ = dict.getOrDefault<scalar>("jitter", 0);
+        seed_ = dict.getOrDefault<label>("seed", 1);
 
         if (jitter_ < 0 || jitter_ > 0.5)
         {
@@ -80,7 +80,7 @@ void Foam::SPH::particleGenerator::readLattice()
     }
     else
     {
-        type = dict_.lookupOrDefault<word>("lattice", type);
+        type = dict_.getOrDefault<word>("lattice", type);
     }
 
     if (!latticePattern::patternTypeNames.found(type))
@@ -110,6 +110,18 @@ void Foam::SPH::particleGenerator::setDomain()
     domain_.fluidVolume = gSum(mesh_.V())/space_.thickness();
     domain_.minSpacing = spacing_->min();
     domain_.wallDistance = pattern_->wallDistance();
+
+    for (label d = 0; d < space_.nDims(); ++d)
+    {
+        const scalar width = domain_.high[d] - domain_.low[d];
+        if (spacing_->min() > width)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The spacing " << spacing_->min()
+                << " is larger than the width " << width
+                << " of the fluid" << exit(FatalIOError);
+        }
+    }
 
     for (const vector& T : periodicTranslations(mesh_))
     {
