@@ -13,6 +13,7 @@ Description
 #include "kernel.H"
 #include "latticePattern.H"
 #include "staticSupport.H"
+#include "mathematicalConstants.H"
 
 #include <gtest/gtest.h>
 
@@ -145,7 +146,7 @@ TEST(LatticePattern, neighboursOfClosestPackings)
         label nDims;
         label nNearest;
         scalar distance;
-    } packings[] = {{2, 6, pow(4.0/3, 0.25)}, {3, 12, pow(2.0, 1.0/6)}};
+    } packings[] = {{2, 6, std::pow(4.0/3, 0.25)}, {3, 12, std::pow(2.0, 1.0/6)}};
 
     for (const auto& packing : packings)
     {

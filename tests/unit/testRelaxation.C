@@ -11,6 +11,8 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "volFields.H"
+#include "mathematicalConstants.H"
 #include "testCase.H"
 #include "particleGenerator.H"
 #include "particlePairs.H"
@@ -44,7 +46,7 @@ testCase::layout cylinder()
     l.transform = [](const point& p)
     {
         const scalar m = max(mag(p.x()), mag(p.y()));
-        const scalar r = sqrt(sqr(p.x()) + sqr(p.y()));
+        const scalar r = std::sqrt(sqr(p.x()) + sqr(p.y()));
         const scalar s = m < 1 ? 1 : 2 - m;
         const scalar f = r < VSMALL ? 1 : s*m/r + 1 - s;
         return point(f*p.x(), f*p.y(), p.z());
@@ -237,7 +239,7 @@ TEST(Relaxation, cylinderIsBodyFittedAndInEquilibrium)
     for (label k = 0; k < 720; ++k)
     {
         const scalar angle = k*constant::mathematical::pi/360;
-        const point p(1.05*cos(angle), 1.05*sin(angle), 0.05);
+        const point p(1.05*std::cos(angle), 1.05*std::sin(angle), 0.05);
         scalar nearest = GREAT;
         for (const point& q : generator.fluid().points)
         {
