@@ -186,7 +186,11 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
 
     IOdictionary properties(propertiesIO());
     properties.set("soundSpeed", fluid_.c);
+
+    // A restart needs every bit, whatever the case's writePrecision is
+    const unsigned precision = IOstream::defaultPrecision(17);
     properties.regIOobject::write();
+    IOstream::defaultPrecision(precision);
 
     const scalarIOField outerState(outerStateIO(), faces_->followed());
     writeAs(outerState, IOstream::BINARY);

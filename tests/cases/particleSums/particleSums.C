@@ -58,7 +58,8 @@ int main(int argc, char *argv[])
     const vectorIOField rhoU(io("rhoU"));
     const vectorIOField U(io("U"));
 
-    Info.stream().precision(17);
+    OSstream& os = Info;
+    os.precision(17);
     const vector momentum(sum(particles.V()*rhoU));
     const vector velocity(args.getOrDefault<vector>("velocity", Zero));
 
