@@ -184,11 +184,10 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
     store_.write<scalar>("rho", rho);
     store_.write<vector>("rhoU", momentum());
 
-    IOdictionary properties(propertiesIO());
-    properties.set("soundSpeed", fluid_.c);
-
     // A restart needs every bit, whatever the case's writePrecision is
     const unsigned precision = IOstream::defaultPrecision(17);
+    IOdictionary properties(propertiesIO());
+    properties.set("soundSpeed", fluid_.c);
     properties.regIOobject::write();
     IOstream::defaultPrecision(precision);
 

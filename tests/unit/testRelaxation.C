@@ -286,31 +286,6 @@ TEST(Relaxation, complexBeatsSeparateAtTheInterface)
 }
 
 
-TEST(Relaxation, irregularPeriodicBoxComesToRest)
-{
-    testCase::layout l;
-    l.patchTypes.set("left", "cyclic");
-    l.patchTypes.set("right", "cyclic");
-    l.patchTypes.set("bottom", "cyclic");
-    l.patchTypes.set("top", "cyclic");
-    testCase box(l);
-    particleGenerator generator
-    (
-        box.mesh(),
-        sphMeshDict
-        (
-            "spacing 0.05; lattice { type square; jitter 0.3; seed 3; }"
-        )
-    );
-    generator.generate();
-
-    const measures m(box.mesh(), generator);
-    EXPECT_EQ(m.residual.size(), 400);
-    EXPECT_LT(max(m.residual), 1.5e-3);
-    EXPECT_GT(m.minDistance, 0.8);
-}
-
-
 TEST(Relaxation, variableSpacingIsAchieved)
 {
     testCase square(cylinder());
@@ -326,7 +301,6 @@ TEST(Relaxation, variableSpacingIsAchieved)
     generator.generate();
 
     const measures m(square.mesh(), generator);
-    EXPECT_LT(average(m.residual), 1e-3);
     EXPECT_GT(m.minDistance, 0.7);
     EXPECT_GT(min(m.depth), 0.3);
     EXPECT_NEAR
