@@ -9,6 +9,7 @@ License
 
 #include "consistentClosure.H"
 #include "mirroredFaces.H"
+#include "pairMultigrid.H"
 #include "particleMoments.H"
 #include "periodicImages.H"
 #include "addToRunTimeSelectionTable.H"
@@ -43,6 +44,7 @@ namespace SPH
     static pairGraph::performance solveLaplacian
     (
         const pairGraph& graph,
+        const label nDims,
         const scalarField& w,
         const scalarField& b,
         scalarField& x,
@@ -90,7 +92,7 @@ namespace SPH
             }
         };
 
-        const auto precondition = [&](const scalarField& r, scalarField& z)
+        const auto jacobi = [&](const scalarField& r, scalarField& z)
         {
             #pragma omp parallel for schedule(static)
             for (label i = 0; i < n; ++i)
@@ -102,9 +104,29 @@ namespace SPH
             }
         };
 
+        const pairMultigrid multigrid
+        (
+            graph,
+            nDims,
+            1,
+            [&](const label pairi, scalar* block) { *block = w[pairi]; },
+            [](const label, scalar* block) { *block = 0; }
+        );
+
         return graph.solve
         (
-            A, precondition, b, x, nSides, 1, true, tolerance, maxIterations
+            A,
+            [&](const scalarField& r, scalarField& z)
+            {
+                multigrid.precondition(A, jacobi, r, z, nSides);
+            },
+            b,
+            x,
+            nSides,
+            1,
+            true,
+            tolerance,
+            maxIterations
         );
     }
 
@@ -198,6 +220,7 @@ void Foam::SPH::consistentClosure::closeAreas
         solveLaplacian
         (
             graph,
+            d,
             w,
             b,
             lambda,
@@ -305,7 +328,10 @@ void Foam::SPH::consistentClosure::closePeriodicPlanes
     report
     (
         "closing periodic planes",
-        solveLaplacian(graph, w, b, chi, nT, tolerance, maxIterations_),
+        solveLaplacian
+        (
+            graph, space.nDims(), w, b, chi, nT, tolerance, maxIterations_
+        ),
         tolerance
     );
 
@@ -463,7 +489,7 @@ void Foam::SPH::consistentClosure::closeMoments
         }
     };
 
-    const auto precondition = [&](const scalarField& r, scalarField& z)
+    const auto jacobi = [&](const scalarField& r, scalarField& z)
     {
         #pragma omp parallel for schedule(static)
         for (label i = 0; i < n; ++i)
@@ -483,6 +509,34 @@ void Foam::SPH::consistentClosure::closeMoments
         }
     };
 
+    const pairMultigrid multigrid
+    (
+        graph,
+        d,
+        d,
+        [&](const label pairi, scalar* block)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    block[c*d + k] =
+                        area[pairi]*normal[pairi][c]*normal[pairi][k];
+                }
+            }
+        },
+        [&](const label i, scalar* block)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    block[c*d + k] = boundaryBlock[i](c, k);
+                }
+            }
+        }
+    );
+
     const scalar tolerance = areaTolerance(space, data)*min(data.spacing);
     scalarField eta(n*width, Zero);
     report
@@ -491,7 +545,10 @@ void Foam::SPH::consistentClosure::closeMoments
         graph.solve
         (
             A,
-            precondition,
+            [&](const scalarField& r, scalarField& z)
+            {
+                multigrid.precondition(A, jacobi, r, z, d);
+            },
             b,
             eta,
             d,

@@ -8,104 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pairGraph.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace SPH
-{
-    //- Dot product of each right-hand side, summed in an order that does not
-    //- depend on the number of threads
-    static void dots
-    (
-        const scalarField& a,
-        const scalarField& b,
-        const label nSides,
-        const label blockSize,
-        scalarField& result
-    )
-    {
-        const label width = nSides*blockSize;
-        const label n = a.size()/width;
-        const label chunk = 4096;
-        const label nChunks = (n + chunk - 1)/chunk;
-
-        scalarField partial(nChunks*nSides, Zero);
-
-        #pragma omp parallel for schedule(static)
-        for (label c = 0; c < nChunks; ++c)
-        {
-            const label end = min((c + 1)*chunk, n);
-            for (label i = c*chunk; i < end; ++i)
-            {
-                for (label k = 0; k < width; ++k)
-                {
-                    partial[c*nSides + k/blockSize] +=
-                        a[i*width + k]*b[i*width + k];
-                }
-            }
-        }
-
-        result = 0;
-        for (label c = 0; c < nChunks; ++c)
-        {
-            for (label s = 0; s < nSides; ++s)
-            {
-                result[s] += partial[c*nSides + s];
-            }
-        }
-    }
-
-    //- y += alpha x, or y = x + alpha y, with one alpha per side
-    template<bool addToX>
-    static void axpy
-    (
-        const scalarField& alpha,
-        const scalarField& x,
-        scalarField& y,
-        const label nSides,
-        const label blockSize
-    )
-    {
-        const label width = nSides*blockSize;
-        const label n = x.size()/width;
-
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            for (label k = 0; k < width; ++k)
-            {
-                const label e = i*width + k;
-                y[e] =
-                    addToX
-                  ? x[e] + alpha[k/blockSize]*y[e]
-                  : y[e] + alpha[k/blockSize]*x[e];
-            }
-        }
-    }
-
-    //- Remove the mean over all particles of each unknown
-    static void removeMean(scalarField& x, const label width)
-    {
-        const label n = x.size()/width;
-        for (label k = 0; k < width; ++k)
-        {
-            scalar mean = 0;
-            for (label i = 0; i < n; ++i)
-            {
-                mean += x[i*width + k];
-            }
-            mean /= n;
-            for (label i = 0; i < n; ++i)
-            {
-                x[i*width + k] -= mean;
-            }
-        }
-    }
-}
-}
-
+#include "blockVectors.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -185,6 +88,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
     scalarField rz(nSides);
     scalarField rzOld(nSides);
     scalarField pAp(nSides);
+    scalarField zAp(nSides);
     scalarField alpha(nSides);
     dots(r, z, nSides, blockSize, rz);
 
@@ -208,21 +112,31 @@ Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
         {
             alpha[s] = pAp[s] > VSMALL ? rz[s]/pAp[s] : 0;
         }
-        axpy<false>(alpha, p, x, nSides, blockSize);
-        axpy<false>(-alpha, Ap, r, nSides, blockSize);
+        addScaled(alpha, p, x, nSides, blockSize);
+        alpha.negate();
+        addScaled(alpha, Ap, r, nSides, blockSize);
+        if (singular)
+        {
+            // Round-off that A does not see
+            removeMean(r, width);
+        }
 
         precondition(r, z);
         if (singular)
         {
             removeMean(z, width);
         }
+
+        // Of the change of the residual, -alpha A p, instead of the residual:
+        // flexible, for a preconditioner that is not linear
         rzOld = rz;
         dots(r, z, nSides, blockSize, rz);
+        dots(Ap, z, nSides, blockSize, zAp);
         forAll(alpha, s)
         {
-            alpha[s] = rzOld[s] > VSMALL*VSMALL ? rz[s]/rzOld[s] : 0;
+            alpha[s] = rzOld[s] > VSMALL ? alpha[s]*zAp[s]/rzOld[s] : 0;
         }
-        axpy<true>(alpha, z, p, nSides, blockSize);
+        scaleAndAdd(alpha, z, p, nSides, blockSize);
 
         residual = max(mag(r));
         if (residual < 0.9*bestResidual)
