@@ -200,8 +200,8 @@ void Foam::SPH::fieldPicture::drawPanel
 
     canvas.text
     (
-        p.title, area.x + area.width/2, area.y + area.height + 12, panelTitleSize,
-        pictureCanvas::centre, pictureCanvas::low
+        p.title, area.x + area.width/2, area.y + area.height + 12,
+        panelTitleSize, pictureCanvas::centre, pictureCanvas::low
     );
 }
 
@@ -223,7 +223,7 @@ void Foam::SPH::fieldPicture::drawBar
     (
         scale.lowest,
         scale.highest,
-        max(2, label(upright ? area.height/70 : area.width/130))
+        max(2, label(upright ? area.height/70 : area.width/100))
     );
     for (const scalar v : ticks.values())
     {

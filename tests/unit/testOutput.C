@@ -79,7 +79,7 @@ TEST(TickMarks, haveNoNegativeZero)
 
 TEST(ColourMap, endsAreDistinctAndValuesOutsideAreTheEnds)
 {
-    for (const colourMap::type t : {colourMap::sequential, colourMap::diverging})
+    for (const auto t : {colourMap::sequential, colourMap::diverging})
     {
         const colourMap colours(t);
         EXPECT_EQ(colours(-1), colours(0));
@@ -122,7 +122,10 @@ TEST(UnitText, readsAsUnitsAreWritten)
 TEST(LinePlot, breaksLinesAtGapsAndEscapesText)
 {
     linePlot plot("a < b & c", "x", "y", 1.5);
-    plot.add({"one", scalarField(List<scalar>({0, 1, 5, 6})), scalarField(4, 2.0), ""});
+    plot.add
+    (
+        {"one", List<scalar>({0, 1, 5, 6}), scalarField(4, 2.0), ""}
+    );
     const std::string svg(plot.svg());
 
     EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
@@ -158,7 +161,10 @@ TEST(HtmlReport, isOneFileWithThePicturesInIt)
     // RFC 4648: Man is TWFu
     EXPECT_NE(html.find("data:image/png;base64,TWFu\""), std::string::npos);
     EXPECT_NE(html.find("<title>x &lt; y</title>"), std::string::npos);
-    EXPECT_NE(html.find("<td>b</td><td class=\"number\">2</td>"), std::string::npos);
+    EXPECT_NE
+    (
+        html.find("<td>b</td><td class=\"number\">2</td>"), std::string::npos
+    );
     EXPECT_EQ(html.find("src=\"http"), std::string::npos);
 }
 
