@@ -62,7 +62,7 @@ std::string Foam::SPH::tickMarks::label(const scalar value) const
         max(mag(values_.first()), mag(values_.last()));
 
     char text[32];
-    if (step_ == 0 || largest >= 1e5 || step_ < 1e-4)
+    if (step_ == 0 || largest >= 1e7 || step_ < 1e-5)
     {
         // Digits from the largest value down to the step
         const int digits =

@@ -16,6 +16,11 @@ License
 
 std::string Foam::SPH::unitText(const dimensionSet& dimensions)
 {
+    if (dimensions == dimPressure)
+    {
+        return "Pa";
+    }
+
     static const char* const units[] = {"kg", "m", "s", "K", "mol", "A", "cd"};
 
     std::string over;
