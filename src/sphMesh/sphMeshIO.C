@@ -136,7 +136,9 @@ namespace SPH
 
 Foam::SPH::sphMesh::sphMesh(const fvMesh& mesh)
 :
-    sphMesh(mesh, readProperties(mesh), readArrays(mesh))
+    // The braces have the properties read first, whose error says that there
+    // is no particle mesh
+    sphMesh{mesh, readProperties(mesh), readArrays(mesh)}
 {}
 
 

@@ -147,7 +147,9 @@ Foam::SPH::commonFields::commonFields
     if (times_.empty())
     {
         FatalErrorInFunction
-            << "No time has fields to compare" << nl
+            << "No time has fields to compare"
+            << (names.empty() ? "" : " that match the entry or option fields")
+            << nl
             << "    FVM fields in " << reference.path() << " at times: "
             << this->names(fvmOnly_).c_str() << nl
             << "    SPH fields (<field>.sph) in " << mesh.time().path()
@@ -162,7 +164,23 @@ Foam::SPH::commonFields::commonFields
 
 Foam::instantList Foam::SPH::commonFields::select(const argList& args) const
 {
-    const instantList selected(timeSelector::select(times_, args));
+    if (args.found("latestTime"))
+    {
+        return instantList(1, times_.last());
+    }
+
+    // A single time selects the nearest one: out of all times, so that one
+    // without fields of both methods is not replaced by another
+    const instantList all(allTimes(times_, allTimes(fvmOnly_, sphOnly_)));
+
+    DynamicList<instant> selected;
+    for (const instant& time : timeSelector::select(all, args))
+    {
+        if (fields_.found(time.name()))
+        {
+            selected.append(time);
+        }
+    }
 
     if (selected.empty())
     {
@@ -172,7 +190,7 @@ Foam::instantList Foam::SPH::commonFields::select(const argList& args) const
             << exit(FatalError);
     }
 
-    return selected;
+    return instantList(selected);
 }
 
 

@@ -391,6 +391,21 @@ TEST(CommonFields, namesTheTimesOfBothMethodsWhereNoneIsCommon)
     EXPECT_EQ(commonFields::names(common.fvmOnly()), "1");
     EXPECT_EQ(commonFields::names(common.sphOnly()), "3");
     EXPECT_EQ(common.fields(common.times()[0]), wordList({"p"}));
+
+    const std::string noMatch
+    (
+        errorMessage
+        (
+            [&]
+            {
+                commonFields
+                (
+                    box.mesh(), reference, wordRes(List<wordRe>({wordRe("T")}))
+                );
+            }
+        )
+    );
+    EXPECT_TRUE(contains(noMatch, "that match")) << noMatch;
 }
 
 

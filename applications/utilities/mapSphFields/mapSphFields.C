@@ -64,11 +64,11 @@ int main(int argc, char *argv[])
     if (nMapped == 0)
     {
         FatalErrorInFunction
-            << "Nothing to map: none of the selected times "
-            << times << " of " << runTime.path()
-            << " has matching particle fields in "
+            << "Nothing to map: none of the selected times of "
+            << runTime.path() << " has matching particle fields in "
             << SPH::storedFields::folder()
-            << " with boundary conditions" << exit(FatalError);
+            << " and a volField that gives their boundary conditions"
+            << exit(FatalError);
     }
 
     Info<< nl << "Mapped " << nMapped << " fields" << nl
