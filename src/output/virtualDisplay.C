@@ -30,6 +30,10 @@ std::string Foam::SPH::virtualDisplay::start()
 
     const std::string writeEnd(std::to_string(ends[1]));
 
+    // A number of our own instead of the lowest free one: a server that ends
+    // removes its socket by name, even if another one has just taken it over
+    const std::string display(":" + std::to_string(1000 + getpid() % 50000));
+
     server_ = fork();
     if (server_ == 0)
     {
@@ -42,7 +46,7 @@ std::string Foam::SPH::virtualDisplay::start()
         dup2(null, STDERR_FILENO);
         execlp
         (
-            "Xvfb", "Xvfb",
+            "Xvfb", "Xvfb", display.c_str(),
             "-displayfd", writeEnd.c_str(),
             "-screen", "0", "640x480x24",
             "-nolisten", "tcp",
@@ -51,18 +55,16 @@ std::string Foam::SPH::virtualDisplay::start()
         _exit(127);
     }
 
-    // Xvfb chooses a free display and writes its number when it is ready; the
-    // pipe closes without one when it cannot run
+    // Xvfb writes the number of its display and a newline when it is ready;
+    // the pipe closes without them when it cannot run
     close(ends[1]);
-    std::string number;
-    char c;
-    while (server_ > 0 && read(ends[0], &c, 1) == 1 && c != '\n')
-    {
-        number += c;
-    }
+    char c = 0;
+    while (server_ > 0 && c != '\n' && read(ends[0], &c, 1) == 1)
+    {}
+    const bool ready = c == '\n';
     close(ends[0]);
 
-    return number.empty() ? number : ":" + number;
+    return ready ? display : std::string();
 }
 
 
