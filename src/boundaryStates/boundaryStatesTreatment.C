@@ -35,6 +35,14 @@ bool Foam::SPH::boundaryStates::isOwn(const fvPatchField<Type>& patchField)
 }
 
 
+bool Foam::SPH::boundaryStates::crosses(const fvPatchVectorField& Up)
+{
+    return
+        isGiven(Up)
+     && gMax(mag(Up & Up.patch().nf())()) > 1e-6*gMax(mag(Up)());
+}
+
+
 Foam::SPH::faceStates::treatment
 Foam::SPH::boundaryStates::patchTreatment
 (
@@ -53,10 +61,12 @@ Foam::SPH::boundaryStates::patchTreatment
         return slip;
     }
 
+    // A wall patch through which a given velocity points is no wall: FVM takes
+    // its flux from that velocity
     if
     (
-        isA<wallFvPatch>(Up.patch())
-     || isA<noSlipFvPatchVectorField>(Up)
+        isA<noSlipFvPatchVectorField>(Up)
+     || (isA<wallFvPatch>(Up.patch()) && !crosses(Up))
     )
     {
         return viscous ? noSlip : slip;
