@@ -32,7 +32,7 @@ namespace SPH
             {
                 return selectOperator
                 (
-                    flux, "vanLeer", fluid.mu > 0, schemes, faces
+                    flux, "vanLeer", fluid.viscous(), schemes, faces
                 );
             };
 

@@ -101,7 +101,7 @@ Foam::SPH::compressibleFlow::compressibleFlow
     fluid_(readFluid())
 {
     Info<< "Perfect gas: gamma " << fluid_.gamma << ", R " << fluid_.R
-        << " J/(kg K), " << (fluid_.mu > 0 ? "viscous" : "inviscid")
+        << " J/(kg K), " << (fluid_.viscous() ? "viscous" : "inviscid")
         << nl << endl;
 
     faces_.reset

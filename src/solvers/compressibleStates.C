@@ -67,7 +67,7 @@ Foam::SPH::compressibleStates::compressibleStates
         U,
         {{T, 0}, {p, 1 + loopDims(particles)}},
         phi,
-        gas.mu > 0
+        gas.viscous()
     ),
     R_(gas.R),
     T_(T),

@@ -77,11 +77,13 @@ Foam::SPH::perfectGasFluid Foam::SPH::compressibleFlow::readFluid() const
     perfectGasFluid gas;
     gas.R = R;
     gas.gamma = 1 + R/Cv;
-    gas.Sutherland = transport == "sutherland";
+    gas.mu = 0;
+    gas.As = 0;
+    gas.Ts = 0;
 
-    if (gas.Sutherland)
+    if (transport == "sutherland")
     {
-        gas.mu = viscosity.getCheck<scalar>("As", notNegative);
+        gas.As = viscosity.getCheck<scalar>("As", notNegative);
         gas.Ts = viscosity.getCheck<scalar>("Ts", notNegative);
 
         // Modified Eucken relation, as OpenFOAM's sutherland transport
@@ -90,7 +92,6 @@ Foam::SPH::perfectGasFluid Foam::SPH::compressibleFlow::readFluid() const
     else
     {
         gas.mu = viscosity.getCheck<scalar>("mu", notNegative);
-        gas.Ts = 0;
         gas.kappaByMu =
             (Cv + R)/viscosity.getCheck<scalar>("Pr", positive);
     }

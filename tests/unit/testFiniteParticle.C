@@ -1,0 +1,687 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testCase.H"
+#include "conservationLaw.H"
+#include "gradientWeights.H"
+#include "HLLCFlux.H"
+#include "KurganovFlux.H"
+#include "limiters.H"
+#include "linearisedFlux.H"
+#include "Random.H"
+#include "timeScheme.H"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const perfectGasFluid air{1.4, 287, 0, 0, 0, 1005/0.7};
+const perfectGasFluid viscousAir{1.4, 287, 1.8e-5, 0, 0, 1005/0.7};
+const weaklyCompressibleFluid water{10, 0.01};
+
+constexpr label nSide = 12;
+
+
+//- Boundary faces whose values a test sets
+class givenStates
+:
+    public faceStates
+{
+public:
+
+    givenStates(const sphMesh& particles, const label nVariables)
+    :
+        faceStates(particles, nVariables)
+    {}
+
+    void set(const label variable, const scalar value)
+    {
+        value_[variable] = value;
+        fixed_[variable] = true;
+    }
+
+    void setTreatment(const treatment type)
+    {
+        treatment_ = type;
+    }
+};
+
+
+//- Square particles of a unit square, 0.1 thick. Pairs over the sides have the
+//- areas of the sides. To these, every triangle of three neighbours adds a
+//- random vector that runs around it, which leaves all particles closed; and
+//- the particles move off the centres of their squares.
+particleMeshData irregularSquares()
+{
+    Random random(7);
+    const scalar h = 1.0/nSide;
+    const scalar thickness = 0.1;
+
+    const auto index = [](const label i, const label j)
+    {
+        return i + nSide*j;
+    };
+
+    particleMeshData data;
+    data.points.setSize(nSide*nSide);
+    data.V.setSize(nSide*nSide, h*h*thickness);
+    data.spacing.setSize(nSide*nSide, h);
+
+    DynamicList<label> owner;
+    DynamicList<label> neighbour;
+    DynamicList<vector> Sf;
+    DynamicList<label> faceOwner;
+    DynamicList<vector> faceSf;
+    DynamicList<point> faceCf;
+    List<DynamicList<label>> patchFaces(4);
+
+    const auto addPair = [&](const label i, const label j, const vector& A)
+    {
+        owner.append(min(i, j));
+        neighbour.append(max(i, j));
+        Sf.append(i < j ? A : -A);
+    };
+
+    for (label j = 0; j < nSide; ++j)
+    {
+        for (label i = 0; i < nSide; ++i)
+        {
+            const label me = index(i, j);
+            const auto shift = [&]()
+            {
+                return 0.2*h*(random.sample01<scalar>() - 0.5);
+            };
+            data.points[me] =
+                point((i + 0.5)*h + shift(), (j + 0.5)*h + shift(), 0.05);
+
+            const scalar area = h*thickness;
+            if (i + 1 < nSide)
+            {
+                addPair(me, index(i + 1, j), vector(area, 0, 0));
+            }
+            if (j + 1 < nSide)
+            {
+                addPair(me, index(i, j + 1), vector(0, area, 0));
+            }
+            if (i + 1 < nSide && j + 1 < nSide)
+            {
+                const vector A
+                (
+                    0.2*area*(random.sample01<scalar>() - 0.5),
+                    0.2*area*(random.sample01<scalar>() - 0.5),
+                    0
+                );
+                const label corner[] =
+                    {me, index(i + 1, j), index(i + 1, j + 1)};
+                for (int k = 0; k < 3; ++k)
+                {
+                    addPair(corner[k], corner[(k + 1) % 3], A);
+                }
+            }
+        }
+    }
+
+    // left, right, bottom, top: the patches of testCase, in its order
+    data.boundary.start.setSize(1, 0);
+    for (int side = 0; side < 4; ++side)
+    {
+        for (label k = 0; k < nSide; ++k)
+        {
+            const label i = side == 0 ? 0 : side == 1 ? nSide - 1 : k;
+            const label j = side == 2 ? 0 : side == 3 ? nSide - 1 : k;
+            const vector n
+            (
+                side == 0 ? -1 : side == 1 ? 1 : 0,
+                side == 2 ? -1 : side == 3 ? 1 : 0,
+                0
+            );
+            faceOwner.append(index(i, j));
+            faceSf.append(h*thickness*n);
+            faceCf.append
+            (
+                point((i + 0.5)*h, (j + 0.5)*h, 0.05) + 0.5*h*n
+            );
+            data.boundary.face.append(0);
+            data.boundary.distance.append
+            (
+                (faceCf.last() - data.points[faceOwner.last()]) & n
+            );
+        }
+        data.boundary.start.append(faceOwner.size());
+    }
+    data.boundary.start.append(faceOwner.size());
+    data.boundary.owner = faceOwner;
+    data.boundary.Sf = faceSf;
+    data.boundary.Cf = faceCf;
+
+    data.owner = owner;
+    data.neighbour = neighbour;
+    data.Sf = Sf;
+    data.delta.setSize(owner.size());
+    forAll(owner, pairi)
+    {
+        data.delta[pairi] =
+            data.points[neighbour[pairi]] - data.points[owner[pairi]];
+    }
+
+    return data;
+}
+
+
+testCase& square()
+{
+    static testCase box{testCase::layout()};
+    return box;
+}
+
+
+const sphMesh& particles()
+{
+    static const sphMesh mesh
+    (
+        square().mesh(), dictionary(), irregularSquares()
+    );
+    return mesh;
+}
+
+
+//- The law of a fluid with the scheme and limiter of the names
+template<class Fluid>
+autoPtr<conservationLaw> makeLaw
+(
+    const Fluid& fluid,
+    const word& flux,
+    const word& limiter,
+    faceStates& faces
+)
+{
+    dictionary schemes;
+    schemes.add("fluxScheme", flux);
+    if (limiter == "firstOrder")
+    {
+        schemes.add("reconstruction", word("none"));
+    }
+    else
+    {
+        schemes.add("limiter", limiter);
+    }
+    return conservationLaw::New(schemes, fluid, faces);
+}
+
+
+//- Fields that differ everywhere, near the values of a base state
+List<scalarField> disturbed(const scalarList& base)
+{
+    Random random(3);
+    List<scalarField> W(base.size());
+    forAll(W, v)
+    {
+        W[v].setSize(particles().nParticles());
+        for (scalar& value : W[v])
+        {
+            value = base[v]*(1 + 0.1*(random.sample01<scalar>() - 0.5));
+        }
+    }
+    return W;
+}
+
+
+template<class Flux>
+typename Flux::vars randomState(Random& random)
+{
+    typename Flux::vars W;
+    for (int v = 0; v < Flux::nVars; ++v)
+    {
+        W[v] = random.sample01<scalar>() - 0.5;
+    }
+    return W;
+}
+
+
+template<>
+HLLCFlux<2>::vars randomState<HLLCFlux<2>>(Random& random)
+{
+    HLLCFlux<2>::vars W;
+    W[0] = 200 + 200*random.sample01<scalar>();
+    W[1] = 600*(random.sample01<scalar>() - 0.5);
+    W[2] = 600*(random.sample01<scalar>() - 0.5);
+    W[3] = 1e4 + 1e5*random.sample01<scalar>();
+    return W;
+}
+
+
+template<>
+KurganovFlux<2>::vars randomState<KurganovFlux<2>>(Random& random)
+{
+    return randomState<HLLCFlux<2>>(random);
+}
+
+
+//- F(U, U) = F(U), exactly relative to U; F(L, R, n) = -F(R, L, -n)
+template<class Flux>
+void checkConsistency(const Flux& flux)
+{
+    Random random(1);
+
+    for (int sample = 0; sample < 200; ++sample)
+    {
+        const auto L = randomState<Flux>(random);
+        const auto R = randomState<Flux>(random);
+        const scalar angle = 6.28*random.sample01<scalar>();
+        const typename Flux::vec n{{std::cos(angle), std::sin(angle)}};
+        const typename Flux::vec back{{-n[0], -n[1]}};
+
+        const auto same = flux.pairFlux(L, L, L, n);
+        const auto other = flux.pairFlux(L, L, R, n);
+        const auto forth = flux.pairFlux(L, R, L, n);
+        const auto opposite = flux.pairFlux(R, L, L, back);
+        const auto FL = flux.flux(L, n);
+        const auto FR = flux.flux(R, n);
+
+        for (int v = 0; v < Flux::nVars; ++v)
+        {
+            const scalar scale = mag(FL[v]) + mag(FR[v]) + 1;
+            EXPECT_EQ(same[v], 0);
+            EXPECT_NEAR(other[v], FL[v] - FR[v], 1e-13*scale);
+            EXPECT_NEAR
+            (
+                forth[v] + FL[v], -(opposite[v] - FL[v]), 1e-12*scale
+            );
+        }
+    }
+}
+
+
+//- A uniform state with equal boundary states has no rate of change at all
+template<class Fluid>
+void checkFreeStream
+(
+    const Fluid& fluid,
+    const word& flux,
+    const word& limiter,
+    const scalarList& state
+)
+{
+    givenStates faces(particles(), state.size());
+    List<scalarField> W(state.size());
+    forAll(state, v)
+    {
+        faces.set(v, state[v]);
+        W[v].setSize(particles().nParticles(), state[v]);
+    }
+
+    autoPtr<conservationLaw> law(makeLaw(fluid, flux, limiter, faces));
+    law->setPrimitive(W);
+    law->store();
+    law->evaluate();
+    ASSERT_TRUE(law->update(1, 1e-4, 0, law->nVariables()));
+
+    for (label v = 0; v < law->nVariables(); ++v)
+    {
+        const scalarField Q(law->conserved(v));
+        EXPECT_EQ(min(Q), max(Q)) << flux << " " << limiter << " " << v;
+    }
+}
+
+
+//- Change of the totals in one Euler step of length 1 between slip walls
+template<class Fluid>
+scalarField totalChange
+(
+    const Fluid& fluid,
+    const word& flux,
+    const word& limiter,
+    const scalarList& base,
+    vector& wallForce
+)
+{
+    givenStates faces(particles(), base.size());
+    faces.setTreatment(faceStates::slip);
+
+    autoPtr<conservationLaw> law(makeLaw(fluid, flux, limiter, faces));
+    law->setPrimitive(disturbed(base));
+
+    scalarField change(law->nVariables());
+    for (label v = 0; v < law->nVariables(); ++v)
+    {
+        change[v] = -sum(particles().V()*law->conserved(v));
+    }
+    law->store();
+    law->evaluate();
+    law->update(1, 1e-6, 0, law->nVariables());
+    for (label v = 0; v < law->nVariables(); ++v)
+    {
+        change[v] += sum(particles().V()*law->conserved(v));
+    }
+
+    wallForce = sum(faces.pressureForce());
+    return change;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * //
+
+TEST(RiemannSolvers, AreConsistentAndSymmetric)
+{
+    checkConsistency(linearisedFlux<2>(water));
+    checkConsistency(linearisedFlux<2>(water, 15));
+    checkConsistency(HLLCFlux<2>(air));
+    checkConsistency(HLLCFlux<2>(air, 1));
+    checkConsistency(KurganovFlux<2>(air));
+}
+
+
+TEST(RiemannSolvers, HLLCKeepsAContactAtRest)
+{
+    const HLLCFlux<2> flux(air);
+    const HLLCFlux<2>::vars L{{300, 0, 0, 1e5}};
+    const HLLCFlux<2>::vars R{{600, 0, 5, 1e5}};
+    const auto dF = flux.pairFlux(L, R, L, {{1, 0}});
+
+    for (int v = 0; v < 4; ++v)
+    {
+        EXPECT_NEAR(dF[v], 0, 1e-9);
+    }
+}
+
+
+TEST(RiemannSolvers, AreUpwindInSupersonicFlow)
+{
+    // Mach 2 and 1.9 to the right
+    const HLLCFlux<2>::vars L{{300, 694, 10, 1e5}};
+    const HLLCFlux<2>::vars R{{310, 670, -10, 9e4}};
+
+    const auto HLLC = HLLCFlux<2>(air).pairFlux(L, R, R, {{1, 0}});
+    const auto Kurganov = KurganovFlux<2>(air).pairFlux(L, R, R, {{1, 0}});
+    const auto FL = HLLCFlux<2>(air).flux(L, {{1, 0}});
+    const auto FR = HLLCFlux<2>(air).flux(R, {{1, 0}});
+
+    for (int v = 0; v < 4; ++v)
+    {
+        EXPECT_NEAR(HLLC[v], FL[v] - FR[v], 1e-10*mag(FL[v]));
+        EXPECT_NEAR(Kurganov[v], FL[v] - FR[v], 1e-10*mag(FL[v]));
+    }
+}
+
+
+TEST(RiemannSolvers, StopAGasWithTheShockRelations)
+{
+    // A gas that a wall stops from Mach number M: the reflected shock obeys
+    // the Rankine-Hugoniot relation of p2/p1 and the piston's speed,
+    // M = (r - 1)/gamma sqrt(2 gamma/((gamma + 1) r + gamma - 1))
+    const HLLCFlux<2> flux(air);
+    const scalar gamma = air.gamma;
+
+    for (const scalar r : {1.001, 1.5, 4.0, 30.0})
+    {
+        const scalar M =
+            (r - 1)/gamma*std::sqrt(2*gamma/((gamma + 1)*r + gamma - 1));
+        const scalar c = std::sqrt(gamma*air.R*300);
+        const HLLCFlux<2>::vars gas{{300, M*c, 7, 1e5}};
+        const HLLCFlux<2>::vars wall{{300, 0, 0, 1e5}};
+
+        const auto F = flux.wallFlux(gas, wall, gas, {{1, 0}});
+        EXPECT_NEAR(F.momentum[0], r*1e5, 1e-6*r*1e5);
+        EXPECT_EQ(F.mass, 0);
+    }
+}
+
+
+TEST(Limiters, KeepEqualSlopesAndStopAtExtrema)
+{
+    // A line: increment half the difference
+    EXPECT_DOUBLE_EQ(limiters::vanLeer::increment(0.5, 1), 0.5);
+    EXPECT_DOUBLE_EQ(limiters::vanAlbada::increment(0.5, 1), 0.5);
+    EXPECT_DOUBLE_EQ(limiters::Minmod::increment(0.5, 1), 0.5);
+
+    // Slope of the other sign
+    EXPECT_EQ(limiters::vanLeer::increment(-0.5, 1), 0);
+    EXPECT_EQ(limiters::vanAlbada::increment(-0.5, 1), 0);
+    EXPECT_EQ(limiters::Minmod::increment(-0.5, 1), 0);
+
+    // No difference at all
+    EXPECT_EQ(limiters::vanLeer::increment(0, 0), 0);
+    EXPECT_EQ(limiters::vanAlbada::increment(0, 0), 0);
+    EXPECT_EQ(limiters::Minmod::increment(0, 0), 0);
+
+    // r = a/b = 3: psi = 2r/(1 + r), r(r + 1)/(r^2 + 1), min(r, 1)
+    EXPECT_DOUBLE_EQ(limiters::vanLeer::increment(1, 1), 0.5*1.5);
+    EXPECT_DOUBLE_EQ(limiters::vanAlbada::increment(1, 1), 0.5*1.2);
+    EXPECT_DOUBLE_EQ(limiters::Minmod::increment(1, 1), 0.5);
+}
+
+
+TEST(GradientWeights, AreExactForLinearFields)
+{
+    const vector slope(3, -2, 0);
+
+    for (const bool withFaces : {false, true})
+    {
+        givenStates faces(particles(), 1);
+        if (withFaces)
+        {
+            faces.set(0, 0);
+        }
+        const gradientWeights weights(faces);
+        EXPECT_EQ(weights.nDeficient(), 0);
+
+        vectorField S(particles().nParticles(), Zero);
+        forAll(particles().owner(), pairi)
+        {
+            const vector contribution
+            (
+                0.5*(slope & particles().delta()[pairi])
+               *particles().Sf()[pairi]
+            );
+            S[particles().owner()[pairi]] += contribution;
+            S[particles().neighbour()[pairi]] += contribution;
+        }
+        if (withFaces)
+        {
+            const boundaryFaces& b = particles().boundary().faces();
+            forAll(b.owner, facei)
+            {
+                const label i = b.owner[facei];
+                S[i] +=
+                    (slope & (b.Cf[facei] - particles().C()[i]))
+                   *b.Sf[facei];
+            }
+        }
+
+        forAll(S, i)
+        {
+            for (label a = 0; a < 2; ++a)
+            {
+                scalar g = 0;
+                for (label b = 0; b < 2; ++b)
+                {
+                    g += weights[0][2*a + b][i]*S[i][b];
+                }
+                EXPECT_NEAR(g, slope[a], 1e-11);
+            }
+        }
+    }
+}
+
+
+TEST(ConservationLaw, KeepsAFreeStreamBitwise)
+{
+    for (const word& limiter : {"firstOrder", "none", "vanLeer"})
+    {
+        checkFreeStream(water, "linearisedLimited", limiter, {0.3, 0.8, 0.6});
+        checkFreeStream(water, "linearised", limiter, {0.3, 0.8, 0.6});
+        checkFreeStream(air, "HLLC", limiter, {300, 600, 200, 1e5});
+        checkFreeStream(air, "HLLCLimited", limiter, {300, 60, 20, 1e5});
+        checkFreeStream(viscousAir, "Kurganov", limiter, {300, 60, 20, 1e5});
+    }
+    checkFreeStream(air, "HLLC", "BarthJespersen", {300, 600, 200, 1e5});
+}
+
+
+TEST(ConservationLaw, ConservesBetweenSlipWalls)
+{
+    for (const word& limiter : {"firstOrder", "vanLeer", "BarthJespersen"})
+    {
+        vector force;
+
+        // Mass; momentum changes by the force on the walls; energy
+        scalarField change
+        (
+            totalChange(water, "linearisedLimited", limiter, {1, 1, 1}, force)
+        );
+        EXPECT_NEAR(change[0], 0, 1e-15);
+        EXPECT_NEAR(change[1], -1e-6*force.x(), 1e-15);
+        EXPECT_NEAR(change[2], -1e-6*force.y(), 1e-15);
+
+        change =
+            totalChange
+            (
+                viscousAir, "HLLC", limiter, {300, 100, 100, 1e5}, force
+            );
+        EXPECT_NEAR(change[0], 0, 1e-13);
+        EXPECT_NEAR(change[1], -1e-6*force.x(), 1e-11);
+        EXPECT_NEAR(change[2], -1e-6*force.y(), 1e-11);
+        EXPECT_NEAR(change[3], 0, 1e-8);
+        EXPECT_GT(mag(force), 1);
+    }
+}
+
+
+TEST(ConservationLaw, IsBitwiseTheSameForAnyNumberOfThreads)
+{
+    const int nThreads = omp_get_max_threads();
+    scalarField results[2];
+
+    for (const int n : {1, 2})
+    {
+        omp_set_num_threads(n);
+        givenStates faces(particles(), 3);
+        autoPtr<conservationLaw> law
+        (
+            makeLaw(water, "linearisedLimited", "none", faces)
+        );
+        law->setPrimitive(disturbed({1, 1, 1}));
+        law->store();
+        law->evaluate();
+        law->update(0, 1e-4, 0, 3);
+        results[n - 1] = law->conserved(1);
+    }
+    omp_set_num_threads(nThreads);
+
+    EXPECT_EQ(results[0], results[1]);
+}
+
+
+TEST(ConservationLaw, IsConvergentInTime)
+{
+    // Order of the schemes from the change of the result with the step
+    const auto run = [](const word& scheme, const label nSteps)
+    {
+        dictionary schemes;
+        schemes.add("timeScheme", scheme);
+        const autoPtr<timeScheme> time(timeScheme::New(schemes));
+
+        givenStates faces(particles(), 3);
+        faces.setTreatment(faceStates::slip);
+        autoPtr<conservationLaw> law
+        (
+            makeLaw(water, "linearised", "none", faces)
+        );
+
+        const scalarField x(particles().C().component(0));
+        const scalarField y(particles().C().component(1));
+        law->setPrimitive
+        (
+            List<scalarField>
+            ({
+                cos(3.14159*x), 0.1*sin(3.14159*x), 0.1*sin(3.14159*y)
+            })
+        );
+
+        const scalar dt = 0.02/nSteps;
+        for (label step = 0; step < nSteps; ++step)
+        {
+            EXPECT_TRUE(time->advance(*law, faces, dt));
+        }
+        return scalarField(law->conserved(0));
+    };
+
+    const auto order = [&](const word& scheme)
+    {
+        const scalarField coarse(run(scheme, 8));
+        const scalarField middle(run(scheme, 16));
+        const scalarField fine(run(scheme, 32));
+        return std::log2
+        (
+            std::sqrt(sumSqr(coarse - middle)/sumSqr(middle - fine))
+        );
+    };
+
+    EXPECT_NEAR(order("symplecticEuler"), 1, 0.3);
+    EXPECT_NEAR(order("SSPRK2"), 2, 0.3);
+    EXPECT_NEAR(order("SSPRK3"), 3, 0.3);
+}
+
+
+TEST(ConservationLaw, RejectsStatesThatAreNotPhysical)
+{
+    givenStates faces(particles(), 4);
+    faces.setTreatment(faceStates::slip);
+    autoPtr<conservationLaw> law(makeLaw(air, "HLLC", "vanLeer", faces));
+    law->setPrimitive(disturbed({300, 300, 300, 1e5}));
+    const scalarField before(law->conserved(3));
+
+    dictionary schemes;
+    const autoPtr<timeScheme> time(timeScheme::New(schemes));
+
+    // Far beyond the stable step
+    EXPECT_FALSE(time->advance(*law, faces, 1));
+    EXPECT_EQ(before, scalarField(law->conserved(3)));
+}
+
+
+TEST(SphSchemes, ListTheValidWords)
+{
+    givenStates faces(particles(), 3);
+
+    const auto message = [&](const word& entry, const word& value)
+    {
+        return errorMessage([&]()
+        {
+            dictionary schemes;
+            schemes.add(entry, value);
+            conservationLaw::New(schemes, water, faces);
+            timeScheme::New(schemes);
+        });
+    };
+
+    const auto contains = [](const std::string& text, const char* part)
+    {
+        return text.find(part) != std::string::npos;
+    };
+
+    EXPECT_TRUE(contains(message("fluxScheme", "HLLC"), "linearisedLimited"));
+    EXPECT_TRUE(contains(message("reconstruction", "quadratic"), "linear"));
+    EXPECT_TRUE(contains(message("limiter", "superbee"), "vanAlbada"));
+    EXPECT_TRUE(contains(message("wallGradient", "cubic"), "quadratic"));
+    EXPECT_TRUE(contains(message("timeScheme", "Euler"), "SSPRK3"));
+}
+
+
+// ************************************************************************* //
