@@ -91,7 +91,7 @@ void Foam::SPH::boundaryStates::setCells(const slicedField& W)
     };
 
     vectorField& U = U_.primitiveFieldRef();
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         map(1 + d);
         forAll(cells_, k)
@@ -133,7 +133,7 @@ void Foam::SPH::boundaryStates::copyPatch
 
 void Foam::SPH::boundaryStates::copyPatches(const label patchi)
 {
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         copyPatch
         (
@@ -180,7 +180,7 @@ Foam::SPH::boundaryStates::boundaryStates
     const bool viscous
 )
 :
-    faceStates(particles, particles.nDims() + label(scalars.size())),
+    faceStates(particles, loopDims(particles) + label(scalars.size())),
     U_(U),
     scalars_(scalars),
     phi_(phi),

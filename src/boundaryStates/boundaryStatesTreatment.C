@@ -95,7 +95,7 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         const bool UFixed =
             type != slip && (Up.fixesValue() || type == noSlip);
 
-        for (label d = 0; d < particles_.nDims(); ++d)
+        for (label d = 0; d < loopDims(particles_); ++d)
         {
             SubList<bool>(own_[1 + d], patch.size(), patch.start()) =
                 type == open && isOwn(Up);

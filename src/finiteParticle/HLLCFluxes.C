@@ -53,12 +53,11 @@ namespace SPH
                 );
             };
 
-            switch (faces.particles().nDims())
+            if (loopDims(faces.particles()) == 2)
             {
-                case 1: return select(makeFlux<Limited, 1>(fluid));
-                case 2: return select(makeFlux<Limited, 2>(fluid));
-                default: return select(makeFlux<Limited, 3>(fluid));
+                return select(makeFlux<Limited, 2>(fluid));
             }
+            return select(makeFlux<Limited, 3>(fluid));
         }
     };
 

@@ -36,12 +36,11 @@ namespace SPH
                 );
             };
 
-            switch (faces.particles().nDims())
+            if (loopDims(faces.particles()) == 2)
             {
-                case 1: return select(KurganovFlux<1>(fluid));
-                case 2: return select(KurganovFlux<2>(fluid));
-                default: return select(KurganovFlux<3>(fluid));
+                return select(KurganovFlux<2>(fluid));
             }
+            return select(KurganovFlux<3>(fluid));
         }
     };
 

@@ -27,7 +27,7 @@ namespace SPH
 
 void Foam::SPH::conservationLaw::setGeometry()
 {
-    const label nDims = particles_.nDims();
+    const label nDims = loopDims(particles_);
 
     for (label i = 0; i < V_.size(); ++i)
     {
@@ -109,7 +109,7 @@ Foam::SPH::conservationLaw::conservationLaw
     V_(1, pairs_.nSlices()),
     rSpacing_(1, pairs_.nSlices()),
     diffusionWeight_(1, pairs_.nSlices()),
-    residualArea_(particles_.nDims(), pairs_.nSlices()),
+    residualArea_(loopDims(particles_), pairs_.nSlices()),
     closed_(false),
     Q_(nVariables, pairs_.nSlices()),
     Q0_(nVariables, pairs_.nSlices()),

@@ -78,6 +78,11 @@ public:
     {
         return 0.5;
     }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 0.9;
+    }
 };
 
 
@@ -99,6 +104,11 @@ public:
     {
         return 1;
     }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 1.13;
+    }
 };
 
 
@@ -114,7 +124,7 @@ class symplecticEuler
         const scalar dt
     ) const
     {
-        const label firstAfter = 1 + law.particles().nDims();
+        const label firstAfter = 1 + loopDims(law.particles());
 
         evaluate(law, faces);
         if (!law.update(0, dt, 1, firstAfter))
@@ -140,6 +150,11 @@ public:
     virtual scalar defaultCo() const
     {
         return 0.6;
+    }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 0.9;
     }
 };
 

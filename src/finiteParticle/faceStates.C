@@ -80,4 +80,43 @@ Foam::SPH::faceStates::faceStates
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::faceStates::startFollowing
+(
+    const scalar tau,
+    const slicedField& W
+)
+{
+    followTime_ = tau;
+    followed_.setSize(nVariables()*size());
+    for (label variable = 0; variable < nVariables(); ++variable)
+    {
+        for (label facei = 0; facei < size(); ++facei)
+        {
+            followed_[variable*size() + facei] = target(W, variable, facei);
+        }
+    }
+}
+
+
+void Foam::SPH::faceStates::follow(const slicedField& W, const scalar dt)
+{
+    if (followTime_ <= 0)
+    {
+        return;
+    }
+
+    const scalar fraction = -std::expm1(-dt/followTime_);
+    for (label variable = 0; variable < nVariables(); ++variable)
+    {
+        for (label facei = 0; facei < size(); ++facei)
+        {
+            scalar& value = followed_[variable*size() + facei];
+            value += fraction*(target(W, variable, facei) - value);
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -90,7 +90,7 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
     nDeficient_(0)
 {
     const sphMesh& particles = faces.particles();
-    const label nDims = particles.nDims();
+    const label nDims = loopDims(particles);
     const tensorField moments(pairMoments(particles));
 
     DynamicList<boolList> members;

@@ -55,6 +55,11 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
 :
     conservationLaw(faces, nVars),
     flux_(flux),
+    limitByParticle_
+    (
+        Limiter::linear
+     && schemes.getOrDefault<word>("limiter", "none") == "BarthJespersen"
+    ),
     quadraticWall_
     (
         Limiter::linear
@@ -134,7 +139,6 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
 {
     const label nSlices = pairs_.nSlices();
     const label nOwners = faces_.owners().size();
-    const bool skewed = pairs_.skewed();
     label nFallbacks = 0;
 
     #pragma omp parallel reduction(+:nFallbacks)
@@ -153,7 +157,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
                 addFaceGradients(k);
             }
 
-            if constexpr (Limiter::byParticle)
+            if (limitByParticle_)
             {
                 #pragma omp for
                 for (label slice = 0; slice < nSlices; ++slice)
@@ -166,8 +170,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
         #pragma omp for
         for (label slice = 0; slice < nSlices; ++slice)
         {
-            nFallbacks +=
-                skewed ? pairFluxes<true>(slice) : pairFluxes<false>(slice);
+            nFallbacks += pairFluxes(slice);
         }
 
         #pragma omp for
@@ -236,13 +239,10 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::acousticRate
 template<class Flux, class Limiter, bool Viscous>
 Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
 (
-    const scalar maxCo
+    const scalar maxCo,
+    const scalar maxDiffusion
 ) const
 {
-    // Real stability limit of the weakest time scheme, the eigenvalues of
-    // the diffusive operator being up to twice its diagonal
-    constexpr scalar maxDiffusion = 0.8;
-
     const label n = particles_.nParticles();
     scalar largest = 0;
 
@@ -328,10 +328,6 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
     if (reconstruction == "none")
     {
         return select(limiters::firstOrder());
-    }
-    if (limiter == "BarthJespersen")
-    {
-        return select(limiters::BarthJespersen());
     }
     if (limiter == "Minmod")
     {

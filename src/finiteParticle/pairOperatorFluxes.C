@@ -12,7 +12,6 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
-template<bool Skewed>
 inline Foam::label
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 (
@@ -48,112 +47,120 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     scalar rate[nVars][nLanes] = {};
     scalar fallback[nLanes] = {};
 
+    // A function of its own, so that its variables are scalars to the compiler
+    // and not arrays over the lanes
+    const auto addPair = [&](const label row, const label lane)
+    __attribute__((always_inline))
+    {
+        const std::size_t e = std::size_t(row)*nLanes + lane;
+        const label i = i0 + lane;
+        const label j = neighbour[e];
+        const bool atOwner = j > i;
+        const scalar sign = atOwner ? 1 : -1;
+
+        vec n;
+        vec delta;
+        for (int d = 0; d < nDims; ++d)
+        {
+            n[d] = normals[d][e];
+            delta[d] = deltas[d][e];
+        }
+
+        vars I;
+        vars J;
+        for (int v = 0; v < nVars; ++v)
+        {
+            I[v] = W[v][i];
+            J[v] = W[v][j];
+        }
+
+        vars stateI(I);
+        vars stateJ(J);
+        if constexpr (Limiter::linear)
+        {
+            for (int v = 0; v < nVars; ++v)
+            {
+                scalar stepI = 0;
+                scalar stepJ = 0;
+                for (int d = 0; d < nDims; ++d)
+                {
+                    const scalar half = 0.5*sign*delta[d];
+                    const scalar skew = skews[d][e];
+                    stepI += G[v*nDims + d][i]*(skew + half);
+                    stepJ += G[v*nDims + d][j]*(skew - half);
+                }
+                stateI[v] += Limiter::increment(stepI, J[v] - I[v]);
+                stateJ[v] += Limiter::increment(stepJ, I[v] - J[v]);
+            }
+
+            const bool physical =
+                flux.physical(stateI) & flux.physical(stateJ);
+            for (int v = 0; v < nVars; ++v)
+            {
+                stateI[v] = physical ? stateI[v] : I[v];
+                stateJ[v] = physical ? stateJ[v] : J[v];
+            }
+            fallback[lane] += physical ? 0 : 1;
+        }
+
+        vars L;
+        vars R;
+        for (int v = 0; v < nVars; ++v)
+        {
+            L[v] = atOwner ? stateI[v] : stateJ[v];
+            R[v] = atOwner ? stateJ[v] : stateI[v];
+        }
+
+        const vars F(flux.pairFlux(L, R, I, n));
+        const scalar area = sign*magSfs[e];
+        for (int v = 0; v < nVars; ++v)
+        {
+            rate[v][lane] -= area*F[v];
+        }
+
+        if constexpr (Viscous)
+        {
+            vars owner;
+            vars other;
+            for (int v = 0; v < nVars; ++v)
+            {
+                owner[v] = atOwner ? I[v] : J[v];
+                other[v] = atOwner ? J[v] : I[v];
+            }
+
+            const auto meanGradient = [&](const int v, const int d)
+            {
+                if constexpr (Limiter::linear)
+                {
+                    return
+                        0.5*(G[v*nDims + d][i] + G[v*nDims + d][j]);
+                }
+                else
+                {
+                    return scalar(0);
+                }
+            };
+
+            vars viscous(vars::zero());
+            flux.addViscous
+            (
+                owner, other, meanGradient,
+                n, magSfs[e], delta, gradWeights[e],
+                viscous
+            );
+            for (int v = 0; v < nVars; ++v)
+            {
+                rate[v][lane] -= sign*viscous[v];
+            }
+        }
+    };
+
     for (label row = pairs_.start(slice); row < pairs_.start(slice + 1); ++row)
     {
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
         {
-            const std::size_t e = std::size_t(row)*nLanes + lane;
-            const label i = i0 + lane;
-            const label j = neighbour[e];
-            const bool atOwner = j > i;
-            const scalar sign = atOwner ? 1 : -1;
-
-            vec n;
-            vec delta;
-            for (int d = 0; d < nDims; ++d)
-            {
-                n[d] = normals[d][e];
-                delta[d] = deltas[d][e];
-            }
-
-            vars I;
-            vars J;
-            for (int v = 0; v < nVars; ++v)
-            {
-                I[v] = W[v][i];
-                J[v] = W[v][j];
-            }
-
-            vars stateI(I);
-            vars stateJ(J);
-            if constexpr (Limiter::linear)
-            {
-                for (int v = 0; v < nVars; ++v)
-                {
-                    scalar stepI = 0;
-                    scalar stepJ = 0;
-                    for (int d = 0; d < nDims; ++d)
-                    {
-                        const scalar half = 0.5*sign*delta[d];
-                        const scalar skew = Skewed ? skews[d][e] : 0;
-                        stepI += G[v*nDims + d][i]*(skew + half);
-                        stepJ += G[v*nDims + d][j]*(skew - half);
-                    }
-                    stateI[v] += Limiter::increment(stepI, J[v] - I[v]);
-                    stateJ[v] += Limiter::increment(stepJ, I[v] - J[v]);
-                }
-
-                const bool physical =
-                    flux.physical(stateI) & flux.physical(stateJ);
-                for (int v = 0; v < nVars; ++v)
-                {
-                    stateI[v] = physical ? stateI[v] : I[v];
-                    stateJ[v] = physical ? stateJ[v] : J[v];
-                }
-                fallback[lane] += physical ? 0 : 1;
-            }
-
-            vars L;
-            vars R;
-            for (int v = 0; v < nVars; ++v)
-            {
-                L[v] = atOwner ? stateI[v] : stateJ[v];
-                R[v] = atOwner ? stateJ[v] : stateI[v];
-            }
-
-            const vars F(flux.pairFlux(L, R, I, n));
-            const scalar area = sign*magSfs[e];
-            for (int v = 0; v < nVars; ++v)
-            {
-                rate[v][lane] -= area*F[v];
-            }
-
-            if constexpr (Viscous)
-            {
-                vars owner;
-                vars other;
-                for (int v = 0; v < nVars; ++v)
-                {
-                    owner[v] = atOwner ? I[v] : J[v];
-                    other[v] = atOwner ? J[v] : I[v];
-                }
-
-                const auto meanGradient = [&](const int v, const int d)
-                {
-                    if constexpr (Limiter::linear)
-                    {
-                        return
-                            0.5*(G[v*nDims + d][i] + G[v*nDims + d][j]);
-                    }
-                    else
-                    {
-                        return scalar(0);
-                    }
-                };
-
-                vars viscous(vars::zero());
-                flux.addViscous
-                (
-                    owner, other, meanGradient,
-                    n, magSfs[e], delta, gradWeights[e],
-                    viscous
-                );
-                for (int v = 0; v < nVars; ++v)
-                {
-                    rate[v][lane] -= sign*viscous[v];
-                }
-            }
+            addPair(row, lane);
         }
     }
 
@@ -289,11 +296,20 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
             outer[v] = faces_.own(v, facei) ? L[v] : faces_.value(v, facei);
         }
 
+        vars absorbing(outer);
+        for (int v = 0; v < nVars; ++v)
+        {
+            if (faces_.follows(v, facei))
+            {
+                absorbing[v] = faces_.followed(v, facei);
+            }
+        }
+
         const auto type = faces_.type(facei);
         const typename Flux::faceFlux F
         (
             type == faceStates::open
-          ? flux_.openFlux(L, outer, I, n)
+          ? flux_.openFlux(L, absorbing, I, n)
           : flux_.wallFlux(L, outer, I, n)
         );
 

@@ -16,7 +16,7 @@ Foam::SPH::pairSlices::pairSlices(const sphMesh& particles)
     start_(slicedField::slices(particles.nParticles()) + 1)
 {
     const label nParticles = particles.nParticles();
-    const label nDims = particles.nDims();
+    const label nDims = loopDims(particles);
     const labelList& owner = particles.owner();
     const labelList& neighbour = particles.neighbour();
 
@@ -65,10 +65,7 @@ Foam::SPH::pairSlices::pairSlices(const sphMesh& particles)
     {
         n_[d].assign(size, d == 0 ? 1 : 0);
         delta_[d].assign(size, d == 0 ? 1 : 0);
-        if (particles.skew().size())
-        {
-            skew_[d].assign(size, 0);
-        }
+        skew_[d].assign(size, 0);
     }
 
     labelList row(nParticles);

@@ -8,8 +8,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "staticConfinement.H"
+#include "outsideFraction.H"
 #include "surfaceIntegral.H"
-#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,114 +19,6 @@ Foam::SPH::staticConfinement::methodNames
     {methodType::levelSet, "levelSet"},
     {methodType::surface, "surface"}
 });
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Smoothed Heaviside function, [R] eq. 9
-Foam::scalar heaviside(const Foam::scalar phi, const Foam::scalar eps)
-{
-    using namespace Foam;
-    const scalar pi = constant::mathematical::pi;
-
-    return
-        phi <= -eps ? 0
-      : phi >= eps ? 1
-      : 0.5 + 0.5*phi/eps + 0.5/pi*Foam::sin(pi*phi/eps);
-}
-
-
-//- H(phi) at the nodes of a grid and around them
-class outsideFraction
-{
-    const Foam::SPH::bandGrid& grid_;
-    const Foam::SPH::signedDistance& body_;
-    const Foam::SPH::solutionSpace& space_;
-    const Foam::scalar eps_;
-
-    //- phi and H at the nodes
-    Foam::scalarField phi_;
-    Foam::scalarField fraction_;
-
-    //- phi at the block centres
-    Foam::scalarField blockPhi_;
-
-    Foam::scalar evaluate(const Foam::point& x) const
-    {
-        return body_.distance(space_.position(x));
-    }
-
-
-public:
-
-    outsideFraction
-    (
-        const Foam::SPH::bandGrid& grid,
-        const Foam::SPH::signedDistance& body,
-        const Foam::SPH::solutionSpace& space
-    )
-    :
-        grid_(grid),
-        body_(body),
-        space_(space),
-        eps_(0.75*grid.spacing()),
-        phi_(grid.size()),
-        fraction_(grid.size()),
-        blockPhi_(grid.nBlocks(), Foam::Zero)
-    {
-        #pragma omp parallel for schedule(static, 64)
-        for (Foam::label node = 0; node < grid_.size(); ++node)
-        {
-            phi_[node] = evaluate(grid_.position(grid_.coordinates(node)));
-            fraction_[node] = heaviside(phi_[node], eps_);
-        }
-
-        #pragma omp parallel for schedule(static, 64)
-        for (Foam::label block = 0; block < grid_.nBlocks(); ++block)
-        {
-            if (!grid_.active(block))
-            {
-                blockPhi_[block] = evaluate(grid_.blockCentre(block));
-            }
-        }
-    }
-
-    Foam::scalar distance(const Foam::label node) const
-    {
-        return phi_[node];
-    }
-
-    //- H at a node, or at grid coordinates where none is stored
-    Foam::scalar operator()
-    (
-        const Foam::label node,
-        const Foam::labelVector& ijk
-    ) const
-    {
-        if (node >= 0)
-        {
-            return fraction_[node];
-        }
-
-        const Foam::label block = grid_.block(ijk);
-
-        if
-        (
-            block >= 0
-         && Foam::mag(blockPhi_[block]) > grid_.blockHalfDiagonal() + eps_
-        )
-        {
-            return blockPhi_[block] > 0 ? 1 : 0;
-        }
-
-        return heaviside(evaluate(grid_.position(ijk)), eps_);
-    }
-};
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

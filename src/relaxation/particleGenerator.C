@@ -11,6 +11,7 @@ License
 #include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
+#include "particleRepair.H"
 #include "relaxation.H"
 #include "separateNoBooleanRelaxation.H"
 #include "spaceFillingCurve.H"
@@ -66,9 +67,9 @@ void Foam::SPH::particleGenerator::readLattice()
     if (dict_.isDict("lattice"))
     {
         const dictionary& dict = dict_.subDict("lattice");
-        type = dict.lookupOrDefault<word>("type", type);
-        jitter_ = dict.lookupOrDefault<scalar>("jitter", 0);
-        seed_ = dict.lookupOrDefault<label>("seed", 1);
+        type = dict.getOrDefault<word>("type", type);
+        jitter_ = dict.getOrDefault<scalar>("jitter", 0);
+        seed_ = dict.getOrDefault<label>("seed", 1);
 
         if (jitter_ < 0 || jitter_ > 0.5)
         {
@@ -79,7 +80,7 @@ void Foam::SPH::particleGenerator::readLattice()
     }
     else
     {
-        type = dict_.lookupOrDefault<word>("lattice", type);
+        type = dict_.getOrDefault<word>("lattice", type);
     }
 
     if (!latticePattern::patternTypeNames.found(type))
@@ -108,6 +109,19 @@ void Foam::SPH::particleGenerator::setDomain()
     domain_.high = space_.toLocal(box.max());
     domain_.fluidVolume = gSum(mesh_.V())/space_.thickness();
     domain_.minSpacing = spacing_->min();
+    domain_.wallDistance = pattern_->wallDistance();
+
+    for (label d = 0; d < space_.nDims(); ++d)
+    {
+        const scalar width = domain_.high[d] - domain_.low[d];
+        if (spacing_->min() > width)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The spacing " << spacing_->min()
+                << " is larger than the width " << width
+                << " of the fluid" << exit(FatalIOError);
+        }
+    }
 
     for (const vector& T : periodicTranslations(mesh_))
     {
@@ -235,7 +249,7 @@ Foam::SPH::particleGenerator::particleGenerator
     surface_(mesh, space_),
     spacing_(spacingFunction::New(surface_, dict_)),
     bodies_(surface_, dict_, kernel_->smoothingRatio()),
-    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, {}}
+    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, 0.5, {}}
 {
     readLattice();
     bodies_.checkSize(*spacing_);
@@ -321,6 +335,31 @@ Foam::SPH::particleStart Foam::SPH::particleGenerator::makeStart()
 }
 
 
+void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
+{
+    const label maxRepairs = 5;
+
+    particleRepair repair(domain_, particles);
+
+    for (label round = 0; round <= maxRepairs; ++round)
+    {
+        relaxation(domain_, *method_, particles).run(*monitor_);
+
+        if (repair.check())
+        {
+            return;
+        }
+        if (round < maxRepairs)
+        {
+            repair.report(Info);
+            repair.repair();
+        }
+    }
+
+    repair.fail();
+}
+
+
 void Foam::SPH::particleGenerator::generate()
 {
     Info<< "Particles before relaxation" << endl;
@@ -381,7 +420,7 @@ void Foam::SPH::particleGenerator::generate()
             method_->maxIterations()
         )
     );
-    relaxation(domain_, *method_, particles).run(*monitor_);
+    relaxAndRepair(particles);
 
     const fileName directory
     (

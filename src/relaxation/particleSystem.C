@@ -85,6 +85,8 @@ void Foam::SPH::particleSystem::setParticles
 
     nParticles_ = n;
     nOriginals_ = n + nFixed;
+    imageOrigin_.clear();
+    imageOffset_.clear();
     setSize(nOriginals_);
 
     forAll(points, i)
@@ -124,6 +126,8 @@ void Foam::SPH::particleSystem::setFixedPoints
     const label n = nParticles_;
 
     nOriginals_ = n + points.size();
+    imageOrigin_.clear();
+    imageOffset_.clear();
     setSize(nOriginals_);
 
     forAll(points, k)

@@ -246,12 +246,30 @@ Foam::scalar Foam::SPH::relaxation::totalError()
     const kernel& W = domain_.W;
     const scalar ratio = domain_.bodies[0].smoothingRatio;
 
+    // Undisturbed lattice sites are all alike: one stands for them
     DynamicList<label> fluid(particles_.nParticles());
+    DynamicList<scalar> count(particles_.nParticles());
+    label example = -1;
     for (label i = 0; i < particles_.nParticles(); ++i)
     {
-        if (particles_.role[i] == 0)
+        if (particles_.role[i] != 0)
+        {
+            continue;
+        }
+        if (touched_[i])
         {
             fluid.append(i);
+            count.append(1);
+        }
+        else if (example < 0)
+        {
+            example = fluid.size();
+            fluid.append(i);
+            count.append(1);
+        }
+        else
+        {
+            count[example] += 1;
         }
     }
 
@@ -277,7 +295,7 @@ Foam::scalar Foam::SPH::relaxation::totalError()
     {
         const label i = fluid[t];
         const scalar h = ratio*particles_.spacing[i];
-        const scalar V = particles_.V[i];
+        const scalar V = count[t]*particles_.V[i];
 
         scalar missing = 0;
         if (-particles_.phi[i] - particles_.drift[i] < W.cutOff()*h)
@@ -345,7 +363,7 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
         state.iteration = iteration;
         state.kineticEnergy = kineticEnergy(step);
         findResiduals(state);
-        if (monitor.logs(iteration))
+        if (monitor.logs(iteration) || iteration == 1)
         {
             state.totalError = totalError();
         }

@@ -24,7 +24,7 @@ Foam::SPH::compressibleFlow::initialState() const
 {
     const meshToParticles toParticles(particles_);
     const vectorField U(toParticles.map(U_));
-    const label nDims = particles_.nDims();
+    const label nDims = loopDims(particles_);
 
     List<scalarField> W(2 + nDims);
     W[0] = toParticles.map(T_);
@@ -51,7 +51,7 @@ Foam::SPH::compressibleFlow::initialState() const
 
 void Foam::SPH::compressibleFlow::writeFields()
 {
-    const label nDims = particles_.nDims();
+    const label nDims = loopDims(particles_);
     const scalarField T(law_->primitive(0));
     const scalarField p(law_->primitive(1 + nDims));
     const vectorField U(velocity());
@@ -67,7 +67,7 @@ void Foam::SPH::compressibleFlow::writeFields()
     writeMapped(T, T_);
     writeMapped(p, p_);
 
-    auto& states = refCast<compressibleStates>(*faces_);
+    auto& states = static_cast<compressibleStates&>(*faces_);
     states.correctDensity();
     writeMapped
     (

@@ -65,7 +65,7 @@ Foam::SPH::compressibleStates::compressibleStates
     (
         particles,
         U,
-        {{T, 0}, {p, 1 + particles.nDims()}},
+        {{T, 0}, {p, 1 + loopDims(particles)}},
         phi,
         gas.mu > 0
     ),

@@ -26,12 +26,19 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
+{
+    return 1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+}
+
+
 void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
 {
     constexpr label maxHalvings = 8;
 
     if (timeScheme_->advance(*law_, *faces_, dt))
     {
+        faces_->follow(law_->W(), dt);
         return;
     }
 
@@ -72,13 +79,13 @@ void Foam::SPH::flowSolver::setStart()
         List<scalarField> Q(law_->nVariables());
         Q[0] = store_.read<scalar>(names[0]);
         const vectorField momentum(store_.read<vector>(names[1]));
-        for (label d = 0; d < space.nDims(); ++d)
+        for (label d = 0; d < loopDims(particles_); ++d)
         {
             Q[1 + d] = momentum.component(space.axis(d));
         }
         for (label k = 2; k < names.size(); ++k)
         {
-            Q[space.nDims() + k - 1] = store_.read<scalar>(names[k]);
+            Q[loopDims(particles_) + k - 1] = store_.read<scalar>(names[k]);
         }
         law_->setConserved(Q);
     }
@@ -102,7 +109,7 @@ void Foam::SPH::flowSolver::setStart()
 Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
 {
     auto tU = tmp<vectorField>::New(particles_.nParticles(), Zero);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         tU.ref().replace(particles_.space().axis(d), law_->primitive(1 + d));
     }
@@ -113,7 +120,7 @@ Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
 Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::momentum() const
 {
     auto tmomentum = tmp<vectorField>::New(particles_.nParticles(), Zero);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         tmomentum.ref().replace
         (
@@ -205,7 +212,7 @@ void Foam::SPH::flowSolver::setDeltaT()
 {
     if (runTime_.adjusted())
     {
-        runTime_.setStableDeltaT(1/law_->stableRate(maxCo_));
+        runTime_.setStableDeltaT(stableDeltaT());
     }
 }
 
@@ -218,7 +225,7 @@ void Foam::SPH::flowSolver::advance()
     const label nSteps =
         runTime_.adjusted()
       ? 1
-      : max(label(1), label(std::ceil(deltaT*law_->stableRate(maxCo_) - 1e-6)));
+      : max(label(1), label(std::ceil(deltaT/stableDeltaT() - 1e-6)));
 
     scalar largest;
     scalar mean;

@@ -9,21 +9,26 @@ License
 
 #include "weaklyCompressibleFlow.H"
 #include "meshToParticles.H"
+#include "compat.H"
+#include "scalarIOField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
 {
-    const IOdictionary properties
+    // Kept in the registry, where function objects look for it
+    const IOdictionary& properties = regIOobject::store
     (
-        IOobject
+        new IOdictionary
         (
-            "transportProperties",
-            runTime_.constant(),
-            particles_.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
+            IOobject
+            (
+                "transportProperties",
+                runTime_.constant(),
+                particles_.mesh(),
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
         )
     );
 
@@ -115,6 +120,35 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
 }
 
 
+Foam::IOobject Foam::SPH::weaklyCompressibleFlow::outerStateIO() const
+{
+    IOobject io(propertiesIO());
+    io.rename("outerState");
+    return io;
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
+{
+    const scalar tau = schemes_.getCheckOrDefault<scalar>
+    (
+        "absorptionTime",
+        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()))
+       /fluid_.c,
+        [](const scalar value) { return value >= 0; }
+    );
+
+    faces_->correct(law_->W());
+    faces_->startFollowing(tau, law_->W());
+
+    const scalarIOField stored(outerStateIO());
+    if (stored.size() == faces_->followed().size())
+    {
+        faces_->followed() = stored;
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::wordList Foam::SPH::weaklyCompressibleFlow::stateNames() const
@@ -129,9 +163,9 @@ Foam::SPH::weaklyCompressibleFlow::initialState() const
     const meshToParticles toParticles(particles_);
     const vectorField U(toParticles.map(U_));
 
-    List<scalarField> W(1 + particles_.nDims());
+    List<scalarField> W(1 + loopDims(particles_));
     W[0] = toParticles.map(p_);
-    for (label d = 0; d < particles_.nDims(); ++d)
+    for (label d = 0; d < loopDims(particles_); ++d)
     {
         W[1 + d] = U.component(particles_.space().axis(d));
     }
@@ -150,9 +184,15 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
     store_.write<scalar>("rho", rho);
     store_.write<vector>("rhoU", momentum());
 
+    // A restart needs every bit, whatever the case's writePrecision is
+    const unsigned precision = IOstream::defaultPrecision(17);
     IOdictionary properties(propertiesIO());
     properties.set("soundSpeed", fluid_.c);
     properties.regIOobject::write();
+    IOstream::defaultPrecision(precision);
+
+    const scalarIOField outerState(outerStateIO(), faces_->followed());
+    writeAs(outerState, IOstream::BINARY);
 
     writeMapped(U, U_);
     writeMapped(p, p_);
@@ -190,6 +230,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
     setStart();
+    setAbsorption();
 }
 
 

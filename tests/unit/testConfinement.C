@@ -159,13 +159,17 @@ TEST(SurfaceIntegral, flatWallHasItsLineOrPlaneIntegral)
     );
     const surfaceDistance box(boxSurface(-point::one, point::one, 5));
 
-    for (const word& type : {"WendlandC2", "cubicSpline", "quinticSpline"})
+    for (const char* type : {"WendlandC2", "cubicSpline", "quinticSpline"})
     {
         const autoPtr<kernel> plane(makeKernel(type, 2));
         const autoPtr<kernel> space(makeKernel(type, 3));
         const surfaceIntegral line(square, *plane);
         const surfaceIntegral area(box, *space);
         const scalar reach = plane->cutOff()*h;
+
+        // The pieces of splines are not smooth where they meet
+        const scalar tolerance =
+            (word(type) == "WendlandC2" ? 2e-5 : 3e-4)*plane->lineW(0, h);
 
         for (const scalar d : {0.0, 1e-9, 0.3*h, 1.1*h, 1.9*h})
         {
@@ -185,9 +189,9 @@ TEST(SurfaceIntegral, flatWallHasItsLineOrPlaneIntegral)
             const vector g2(line(point(1 - d, 0.1, 0), h));
             const vector g3(area(point(0.1, -0.07, 1 - d), h));
 
-            EXPECT_NEAR(g2.x(), overLine, 2e-5*plane->lineW(0, h));
+            EXPECT_NEAR(g2.x(), overLine, tolerance);
             EXPECT_NEAR(mag(g2 - vector(g2.x(), 0, 0)), 0, 1e-12);
-            EXPECT_NEAR(g3.z(), overPlane, 2e-5*space->lineW(0, h));
+            EXPECT_NEAR(g3.z(), overPlane, tolerance);
             EXPECT_NEAR(mag(g3 - vector(0, 0, g3.z())), 0, 1e-9/h);
         }
     }
@@ -227,7 +231,7 @@ TEST(StaticConfinement, tablesApproachTheSurfaceIntegral)
     const linearSpacing spacing(dp, dp, 0);
     const scalar scale = k->lineW(0, 1.3*dp);
 
-    for (const word& method : {"levelSet", "surface"})
+    for (const char* method : {"levelSet", "surface"})
     {
         scalar lastError = GREAT;
         for (const scalar ratio : {0.5, 0.25, 0.125})
@@ -280,7 +284,7 @@ TEST(StaticConfinement, completesTheSupportOfALattice)
           : boxSurface(point::zero, point::one, 2)
         );
 
-        for (const word& method : {"levelSet", "surface"})
+        for (const char* method : {"levelSet", "surface"})
         {
             const staticConfinement table
             (
@@ -288,7 +292,7 @@ TEST(StaticConfinement, completesTheSupportOfALattice)
                 space,
                 *k,
                 spacing,
-                confinementDict(method, 0.25)
+                confinementDict(method, nDims == 2 ? 0.25 : 0.5)
             );
 
             const point p(dp/2, 0.45, nDims == 2 ? 0 : 0.45);
@@ -325,7 +329,7 @@ TEST(StaticConfinement, followsAVariableSpacing)
     const surfaceIntegral exact(body, *k);
     const linearSpacing spacing(0.02, 0.1, 0.1);
 
-    for (const word& method : {"levelSet", "surface"})
+    for (const char* method : {"levelSet", "surface"})
     {
         const staticConfinement table
         (
@@ -374,7 +378,7 @@ TEST(StaticConfinement, errorsSayWhatIsValid)
     );
     EXPECT_NE
     (
-        message(body, confinementDict("surfaces", 0.5)).find("levelSet surface"),
+        message(body, confinementDict("plane", 0.5)).find("levelSet surface"),
         std::string::npos
     );
     EXPECT_NE

@@ -172,8 +172,8 @@ std::string content(const fileName& file)
 }
 
 
-//- Every number of points a direction of sources with targets of a fifth, of
-//- the same and of four times the spacing
+//- Every number of points a direction of sources with targets of two fifths,
+//- of the same and of four times the spacing
 class MappedSpacing
 :
     public testing::TestWithParam<std::tuple<label, scalar>>
@@ -193,7 +193,7 @@ protected:
 
     label sources() const
     {
-        return nDims() == 3 ? 8 : 16;
+        return nDims() == 3 ? 12 : 24;
     }
 };
 
@@ -207,11 +207,11 @@ TEST_P(MappedSpacing, uniformFieldsStayBitwiseUniform)
     const scalar value = 0.1 + 1.0/3.0;
     const label n = sources();
 
-    for
+    const scalarField result
     (
-        const scalar v
-      : mapped(nDims(), n, targets(n), [&](const point&) { return value; })
-    )
+        mapped(nDims(), n, targets(n), [&](const point&) { return value; })
+    );
+    for (const scalar v : result)
     {
         EXPECT_EQ(v, value);
     }
@@ -237,14 +237,13 @@ TEST_P(MappedSpacing, smoothFieldsConvergeAtSecondOrder)
     {
         const label m = targets(n);
         const scalarField expected(values(lattice(nDims(), m, 0), smooth));
-        const scalar error =
-            max(mag(mapped(nDims(), n, m, smooth) - expected));
+        const scalarField result(mapped(nDims(), n, m, smooth));
+        const scalar error = std::sqrt(average(sqr(result - expected)));
 
         if (coarse > 0)
         {
-            // 4 in the limit; the largest error sits at a corner that comes
-            // closer to the boundary
-            EXPECT_GT(coarse/error, 2.8) << coarse << " to " << error;
+            // 4 in the limit, 2 if it were of first order
+            EXPECT_GT(coarse/error, 3) << coarse << " to " << error;
         }
         coarse = error;
     }
@@ -255,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P
 (
     MovingLeastSquares,
     MappedSpacing,
-    testing::Combine(testing::Values(1, 2, 3), testing::Values(0.2, 1.0, 4.0))
+    testing::Combine(testing::Values(1, 2, 3), testing::Values(0.4, 1.0, 4.0))
 );
 
 
@@ -497,17 +496,18 @@ TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
     const meshToParticles mapper(*particles);
 
     const scalar value = 1.0/3.0;
-    for (const scalar v : mapper.map(cellField(mesh, value))())
+    const scalarField uniform(mapper.map(cellField(mesh, value)));
+    for (const scalar v : uniform)
     {
         EXPECT_EQ(v, value);
     }
 
     volScalarField cells(cellField(mesh, 0));
     cells.primitiveFieldRef() = values(mesh.cellCentres(), linear);
-    pointField plane(particles->C());
     EXPECT_LT
     (
-        max(mag(mapper.map(cells, false)() - values(plane, linear))), 1e-8
+        max(mag(mapper.map(cells, false) - values(particles->C(), linear))),
+        1e-8
     );
 }
 

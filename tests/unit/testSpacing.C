@@ -82,10 +82,8 @@ protected:
         for (label i = 0; i < 5000; ++i)
         {
             const point p(x(random), y(random), 0);
-            const point q
-            (
-                i % 2 ? point(x(random), y(random), 0) : p + vector(1e-4, 1e-4, 0)
-            );
+            const point far(x(random), y(random), 0);
+            const point q(i % 2 ? far : p + vector(1e-4, 1e-4, 0));
             const scalar dp = spacing(p);
 
             EXPECT_GE(dp, spacing.min());
@@ -102,7 +100,13 @@ protected:
 
 TEST_F(SpacingFunction, aNumberIsUniform)
 {
-    for (const char* content : {"spacing 0.05;", "spacing { type uniform; value 0.05; }"})
+    const char* contents[] =
+    {
+        "spacing 0.05;",
+        "spacing { type uniform; value 0.05; }"
+    };
+
+    for (const char* content : contents)
     {
         const auto spacing = make(content);
         EXPECT_TRUE(spacing->uniform());
@@ -122,8 +126,8 @@ TEST_F(SpacingFunction, refinedGrowsAwayFromPatchesAndRegions)
         "{"
         "    ball { type sphere; centre (3 1 7); radius 0.5; spacing 0.1; }"
         "    bar { type cylinder; point1 (0 0 0); point2 (4 0 0);"
-        "          radius 0.2; spacing 0.15; growth 1.2; }"
-        "    brick { type box; min (3.5 1.5 -9); max (4 2 9); spacing 0.05; }"
+        "          radius 0.2; spacing 0.05; growth 1.2; }"
+        "    brick { type box; min (3.5 1.5 -9); max (4 2 9); spacing 0.1; }"
         "} }"
     );
 
@@ -133,9 +137,10 @@ TEST_F(SpacingFunction, refinedGrowsAwayFromPatchesAndRegions)
     EXPECT_NEAR((*spacing)(point(0.325, 1, 0)), 0.02 + 0.1*(0.3 - 0.04), 1e-14);
 
     EXPECT_NEAR((*spacing)(point(3, 1.3, 0)), 0.1, 1e-14);
-    EXPECT_NEAR((*spacing)(point(3, 1 - 0.6, 0)), 0.1 + 0.05*0.1, 1e-14);
-    EXPECT_NEAR((*spacing)(point(4.3, 0.2, 0)), 0.15 + 0.2*0.3, 1e-2);
-    EXPECT_NEAR((*spacing)(point(4.2, 1.9, 0)), 0.05 + 0.05*0.2, 1e-14);
+    EXPECT_NEAR((*spacing)(point(3, 1.6, 0)), 0.1 + 0.05*0.1, 1e-14);
+    EXPECT_NEAR((*spacing)(point(0.2, 0.25, 0)), 0.05 + 0.2*0.05, 1e-14);
+    EXPECT_NEAR((*spacing)(point(4.3, 0.2, 0)), 0.05 + 0.2*0.3, 1e-14);
+    EXPECT_NEAR((*spacing)(point(4.2, 1.9, 0)), 0.1 + 0.05*0.2, 1e-14);
     EXPECT_DOUBLE_EQ(spacing->min(), 0.02);
     EXPECT_DOUBLE_EQ(spacing->max(), 0.2);
 
