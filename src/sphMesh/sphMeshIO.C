@@ -136,7 +136,8 @@ namespace SPH
 
 Foam::SPH::sphMesh::sphMesh(const fvMesh& mesh)
 :
-    sphMesh(mesh, readProperties(mesh), readArrays(mesh))
+    // Braces: properties are to be read, and refused, before the arrays
+    sphMesh{mesh, readProperties(mesh), readArrays(mesh)}
 {}
 
 

@@ -13,6 +13,8 @@ Description
 
 #include "particleScene.H"
 #include "particlePairs.H"
+#include "Random.H"
+#include "StringStream.H"
 #include "volFields.H"
 
 #include <gtest/gtest.h>
@@ -361,11 +363,11 @@ TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)
 
 TEST(HiddenPairs, thinPlateSeparatesItsSides)
 {
-    // A plate of 0.8 dp with fluid all around
+    // A plate of one spacing with fluid all around
     testCase::layout layout;
     layout.nCells = labelVector(25, 25, 1);
     layout.hole = boundBox(point(0.2, 0.48, -1), point(0.8, 0.52, 1));
-    particleScene scene(layout, 0.05, 0.05);
+    particleScene scene(layout, 0.04, 0.05);
     const auto m = scene.assemble("type none;");
 
     const auto above = [&](const label i)
@@ -390,7 +392,7 @@ TEST(HiddenPairs, thinPlateSeparatesItsSides)
     const particlePairs all
     (
         vectorField(m->C()),
-        scalarField(m->nParticles(), m->W().support(0.05)),
+        scalarField(m->nParticles(), m->W().support(0.04)),
         List<vector>()
     );
     label nWithout = 0;

@@ -14,6 +14,7 @@ Description
 #include "particleScene.H"
 #include "solidParticles.H"
 #include "OSspecific.H"
+#include "Random.H"
 
 #include <cstring>
 #include <fstream>
