@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "testCase.H"
+#include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -250,12 +251,20 @@ void Foam::SPH::testCase::writeMesh(const layout& l) const
             type = wallPolyPatch::typeName;
         }
 
+        dictionary dict;
+        if (patchi < 6 && l.periodic[patchi/2])
+        {
+            type = cyclicPolyPatch::typeName;
+            dict.add("neighbourPatch", names[patchi ^ 1]);
+        }
+        dict.add("type", l.patchTypes.lookup(names[patchi], type));
+        dict.add("nFaces", sizes[patchi]);
+        dict.add("startFace", start);
+
         patches[patchi] = polyPatch::New
         (
-            l.patchTypes.lookup(names[patchi], type),
             names[patchi],
-            sizes[patchi],
-            start,
+            dict,
             patchi,
             mesh.boundaryMesh()
         ).ptr();

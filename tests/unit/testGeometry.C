@@ -58,44 +58,6 @@ scalar areaError(const patchSurface& surface)
     return error;
 }
 
-
-//- Make the patches left and right of a case cyclic, and read its mesh again
-autoPtr<fvMesh> cyclicMesh(testCase& c)
-{
-    OStringStream boundary;
-    const polyBoundaryMesh& patches = c.mesh().boundaryMesh();
-
-    boundary << patches.size() << nl << '(' << nl;
-    for (const polyPatch& pp : patches)
-    {
-        const bool left = pp.name() == "left";
-        const bool cyclic = left || pp.name() == "right";
-
-        boundary
-            << pp.name() << " { type " << (cyclic ? word("cyclic") : pp.type())
-            << "; nFaces " << pp.size() << "; startFace " << pp.start() << ';';
-        if (cyclic)
-        {
-            boundary<< " neighbourPatch " << (left ? "right" : "left") << ';';
-        }
-        boundary<< " }" << nl;
-    }
-    boundary<< ')' << nl;
-
-    c.write("constant/polyMesh/boundary", boundary.str(), "polyBoundaryMesh");
-
-    return autoPtr<fvMesh>::New
-    (
-        IOobject
-        (
-            polyMesh::defaultRegion,
-            c.time().timeName(),
-            c.time(),
-            IOobject::MUST_READ
-        )
-    );
-}
-
 } // End anonymous namespace
 
 
@@ -273,9 +235,11 @@ TEST(PatchSurface, periodicDistancesRepeat)
     // A hole near the cyclic plane
     layout.hole = boundBox(point(0.1, 0.3, -1), point(0.3, 0.5, 1));
 
+    layout.periodic[0] = true;
+
     testCase channel(layout);
-    const autoPtr<fvMesh> mesh(cyclicMesh(channel));
-    const patchSurface surface(*mesh, solutionSpace(*mesh));
+    const fvMesh& mesh = channel.mesh();
+    const patchSurface surface(mesh, solutionSpace(mesh));
     const surfaceDistance distance(surface, 0.5);
 
     ASSERT_EQ(surface.periods().size(), 1);

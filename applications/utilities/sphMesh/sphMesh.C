@@ -54,7 +54,7 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     const IOdictionary dict(readSphMeshDict(mesh, args));
-    const dictionary properties(particleMeshProperties(mesh, dict));
+    dictionary properties(particleMeshProperties(mesh, dict));
 
     if
     (
@@ -79,6 +79,14 @@ int main(int argc, char *argv[])
     }
 
     generator.generate();
+    if (generator.monitor().history().size())
+    {
+        properties.add
+        (
+            "kineticEnergy",
+            generator.monitor().history().last().kineticEnergy
+        );
+    }
 
     Info<< "Pairs and closure" << endl;
     const SPH::sphMesh particles

@@ -9,7 +9,8 @@ License
 
 #include "consistentClosure.H"
 #include "mirroredFaces.H"
-#include "pairMultigrid.H"
+#include "momentClosure.H"
+#include "pairLaplacian.H"
 #include "particleMoments.H"
 #include "periodicImages.H"
 #include "addToRunTimeSelectionTable.H"
@@ -39,108 +40,6 @@ namespace SPH
 
     //- Reduction of the residual between renormalisations, which spoil it
     static const scalar sweepTolerance = 1e-3;
-
-    //- Solve sum_j w_ij (x_i - x_j) = b_i for nSides fields side by side
-    static pairGraph::performance solveLaplacian
-    (
-        const pairGraph& graph,
-        const label nDims,
-        const scalarField& w,
-        const scalarField& b,
-        scalarField& x,
-        const label nSides,
-        const scalar tolerance,
-        const label maxIterations
-    )
-    {
-        const label n = graph.nParticles();
-
-        scalarField diagonal(n, Zero);
-        for (label i = 0; i < n; ++i)
-        {
-            graph.forLinks
-            (
-                i,
-                [&](const label, const label pairi)
-                {
-                    diagonal[i] += w[pairi];
-                }
-            );
-            diagonal[i] = max(diagonal[i], VSMALL);
-        }
-
-        const auto A = [&](const scalarField& u, scalarField& v)
-        {
-            #pragma omp parallel for schedule(static)
-            for (label i = 0; i < n; ++i)
-            {
-                scalar sum[9] = {};
-                const scalar* ui = &u[i*nSides];
-                graph.forLinks
-                (
-                    i,
-                    [&](const label j, const label pairi)
-                    {
-                        const scalar* uj = &u[j*nSides];
-                        for (label s = 0; s < nSides; ++s)
-                        {
-                            sum[s] += w[pairi]*(ui[s] - uj[s]);
-                        }
-                    }
-                );
-                std::copy(sum, sum + nSides, &v[i*nSides]);
-            }
-        };
-
-        const auto jacobi = [&](const scalarField& r, scalarField& z)
-        {
-            #pragma omp parallel for schedule(static)
-            for (label i = 0; i < n; ++i)
-            {
-                for (label s = 0; s < nSides; ++s)
-                {
-                    z[i*nSides + s] = r[i*nSides + s]/diagonal[i];
-                }
-            }
-        };
-
-        const pairMultigrid multigrid
-        (
-            graph,
-            nDims,
-            1,
-            [&](const label pairi, scalar* block) { *block = w[pairi]; },
-            [](const label, scalar* block) { *block = 0; }
-        );
-
-        return graph.solve
-        (
-            A,
-            [&](const scalarField& r, scalarField& z)
-            {
-                multigrid.precondition(A, jacobi, r, z, nSides);
-            },
-            b,
-            x,
-            nSides,
-            1,
-            true,
-            tolerance,
-            maxIterations
-        );
-    }
-
-    static void report
-    (
-        const char* what,
-        const pairGraph::performance& performance,
-        const scalar tolerance
-    )
-    {
-        Info<< "    " << what << ": " << performance.nIterations
-            << " iterations, residual/tolerance "
-            << performance.residual/tolerance << endl;
-    }
 }
 }
 
@@ -214,22 +113,17 @@ void Foam::SPH::consistentClosure::closeAreas
     }
 
     scalarField lambda(n*d, Zero);
-    report
+    solveLaplacian
     (
-        "closing areas",
-        solveLaplacian
-        (
-            graph,
-            d,
-            w,
-            b,
-            lambda,
-            d,
-            tolerance,
-            maxIterations_
-        ),
-        tolerance
-    );
+        graph,
+        d,
+        w,
+        b,
+        lambda,
+        d,
+        tolerance,
+        maxIterations_
+    ).log("closing areas", tolerance);
 
     forAll(data.Sf, pairi)
     {
@@ -325,15 +219,10 @@ void Foam::SPH::consistentClosure::closePeriodicPlanes
     scalarField chi(n*nT, Zero);
     const scalar tolerance =
         areaTolerance(space, data)*min(data.spacing);
-    report
+    solveLaplacian
     (
-        "closing periodic planes",
-        solveLaplacian
-        (
-            graph, space.nDims(), w, b, chi, nT, tolerance, maxIterations_
-        ),
-        tolerance
-    );
+        graph, space.nDims(), w, b, chi, nT, tolerance, maxIterations_
+    ).log("closing periodic planes", tolerance);
 
     // What is missing of V I in the sum of all first moments
     const tensor missing
@@ -382,229 +271,6 @@ void Foam::SPH::consistentClosure::closePeriodicPlanes
 }
 
 
-void Foam::SPH::consistentClosure::closeMoments
-(
-    const solutionSpace& space,
-    const pairGraph& graph,
-    particleMeshData& data
-) const
-{
-    const label d = space.nDims();
-    const label width = d*d;
-    const label n = data.points.size();
-    const label nPairs = data.owner.size();
-
-    // Unit normals and areas in local coordinates
-    scalarField area(nPairs);
-    vectorField normal(nPairs);
-    forAll(area, pairi)
-    {
-        area[pairi] = mag(data.Sf[pairi]);
-        normal[pairi] =
-            space.toLocal(data.Sf[pairi])/max(area[pairi], VSMALL);
-    }
-
-    // Diagonal blocks, boundary faces included: these may move as well
-    List<tensor> diagonal(n, Zero);
-    List<tensor> boundaryBlock(n, Zero);
-    forAll(data.boundary.owner, s)
-    {
-        const scalar a = mag(data.boundary.Sf[s]);
-        const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
-        boundaryBlock[data.boundary.owner[s]] += a*(m*m);
-    }
-    diagonal = boundaryBlock;
-    forAll(area, pairi)
-    {
-        const tensor block(area[pairi]*(normal[pairi]*normal[pairi]));
-        diagonal[data.owner[pairi]] += block;
-        diagonal[data.neighbour[pairi]] += block;
-    }
-    forAll(diagonal, i)
-    {
-        for (label c = d; c < 3; ++c)
-        {
-            diagonal[i](c, c) = 1;
-        }
-        // Keeps the block of a particle with parallel faces invertible
-        const scalar shift = 1e-6*tr(diagonal[i]);
-        diagonal[i] = inv(diagonal[i] + tensor(shift*I));
-    }
-
-    const tensorField moments(firstMoments(data));
-    scalarField b(n*width);
-    for (label i = 0; i < n; ++i)
-    {
-        for (label p = 0; p < d; ++p)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                b[i*width + p*d + c] =
-                    (p == c ? data.V[i] : 0)
-                  - moments[i](space.axis(p), space.axis(c));
-            }
-        }
-    }
-
-    const auto A = [&](const scalarField& u, scalarField& v)
-    {
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            scalar sum[9] = {};
-            const scalar* ui = &u[i*width];
-            for (label p = 0; p < d; ++p)
-            {
-                for (label c = 0; c < d; ++c)
-                {
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum[p*d + c] += boundaryBlock[i](c, k)*ui[p*d + k];
-                    }
-                }
-            }
-            graph.forLinks
-            (
-                i,
-                [&](const label j, const label pairi)
-                {
-                    const scalar* uj = &u[j*width];
-                    const vector& m = normal[pairi];
-                    for (label p = 0; p < d; ++p)
-                    {
-                        scalar stretch = 0;
-                        for (label c = 0; c < d; ++c)
-                        {
-                            stretch += m[c]*(ui[p*d + c] - uj[p*d + c]);
-                        }
-                        stretch *= area[pairi];
-                        for (label c = 0; c < d; ++c)
-                        {
-                            sum[p*d + c] += stretch*m[c];
-                        }
-                    }
-                }
-            );
-            std::copy(sum, sum + width, &v[i*width]);
-        }
-    };
-
-    const auto jacobi = [&](const scalarField& r, scalarField& z)
-    {
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            for (label p = 0; p < d; ++p)
-            {
-                for (label c = 0; c < d; ++c)
-                {
-                    scalar sum = 0;
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum += diagonal[i](c, k)*r[i*width + p*d + k];
-                    }
-                    z[i*width + p*d + c] = sum;
-                }
-            }
-        }
-    };
-
-    const pairMultigrid multigrid
-    (
-        graph,
-        d,
-        d,
-        [&](const label pairi, scalar* block)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                for (label k = 0; k < d; ++k)
-                {
-                    block[c*d + k] =
-                        area[pairi]*normal[pairi][c]*normal[pairi][k];
-                }
-            }
-        },
-        [&](const label i, scalar* block)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                for (label k = 0; k < d; ++k)
-                {
-                    block[c*d + k] = boundaryBlock[i](c, k);
-                }
-            }
-        }
-    );
-
-    const scalar tolerance = areaTolerance(space, data)*min(data.spacing);
-    scalarField eta(n*width, Zero);
-    report
-    (
-        "closing moments",
-        graph.solve
-        (
-            A,
-            [&](const scalarField& r, scalarField& z)
-            {
-                multigrid.precondition(A, jacobi, r, z, d);
-            },
-            b,
-            eta,
-            d,
-            d,
-            data.boundary.owner.empty(),
-            tolerance,
-            maxIterations_
-        ),
-        tolerance
-    );
-
-    data.skew.setSize(nPairs);
-    forAll(data.skew, pairi)
-    {
-        const scalar* ei = &eta[data.owner[pairi]*width];
-        const scalar* ej = &eta[data.neighbour[pairi]*width];
-        vector shift(Zero);
-        for (label p = 0; p < d; ++p)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                shift[p] += normal[pairi][c]*(ei[p*d + c] - ej[p*d + c]);
-            }
-        }
-        data.skew[pairi] = space.toGlobal(shift);
-    }
-    forAll(data.boundary.owner, s)
-    {
-        const vector& Sf = data.boundary.Sf[s];
-        const vector m(space.toLocal(Sf)/max(mag(Sf), VSMALL));
-        const scalar* ei = &eta[data.boundary.owner[s]*width];
-        vector shift(Zero);
-        for (label p = 0; p < d; ++p)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                shift[p] += m[c]*ei[p*d + c];
-            }
-        }
-        data.boundary.Cf[s] += space.toGlobal(shift);
-    }
-
-    scalar largest = 0;
-    forAll(data.skew, pairi)
-    {
-        largest = max
-        (
-            largest,
-            mag(data.skew[pairi])/mag(data.delta[pairi])
-        );
-    }
-    Info<< "    largest shift of a face centre over its pair's length: "
-        << largest << endl;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::consistentClosure::close
@@ -649,7 +315,8 @@ void Foam::SPH::consistentClosure::close
     const scalar tolerance = areaTolerance(space, data);
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
     {
-        closeAreas(space, graph, sweepTolerance*max(mag(areaSums(data)())), data);
+        const scalar largest = max(mag(areaSums(data)()));
+        closeAreas(space, graph, sweepTolerance*largest, data);
         renormalise(space, data);
     }
     closeAreas(space, graph, tolerance, data);
@@ -661,7 +328,14 @@ void Foam::SPH::consistentClosure::close
     }
     if (order_ == 1)
     {
-        closeMoments(space, graph, data);
+        closeMoments
+        (
+            space,
+            graph,
+            tolerance*min(data.spacing),
+            maxIterations_,
+            data
+        );
     }
 }
 

@@ -9,6 +9,7 @@ License
 
 #include "pairGraph.H"
 #include "blockVectors.H"
+#include "messageStream.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -48,6 +49,24 @@ Foam::SPH::pairGraph::pairGraph
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::pairGraph::performance::log
+(
+    const char* what,
+    const scalar tolerance
+) const
+{
+    Info<< "    " << what << ": " << nIterations
+        << " iterations, residual/tolerance " << residual/tolerance << endl;
+
+    if (!(residual <= 10*tolerance))
+    {
+        WarningInFunction
+            << what << " did not converge: see the residuals of checkSphMesh"
+            << endl;
+    }
+}
+
 
 Foam::SPH::pairGraph::performance Foam::SPH::pairGraph::solve
 (

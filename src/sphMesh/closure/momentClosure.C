@@ -1,0 +1,234 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentClosure.H"
+#include "pairMultigrid.H"
+#include "particleMoments.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::closeMoments
+(
+    const solutionSpace& space,
+    const pairGraph& graph,
+    const scalar tolerance,
+    const label maxIterations,
+    particleMeshData& data
+)
+{
+    const label d = space.nDims();
+    const label width = d*d;
+    const label n = data.points.size();
+    const label nPairs = data.owner.size();
+
+    // Unit normals and areas in local coordinates
+    scalarField area(nPairs);
+    vectorField normal(nPairs);
+    forAll(area, pairi)
+    {
+        area[pairi] = mag(data.Sf[pairi]);
+        normal[pairi] =
+            space.toLocal(data.Sf[pairi])/max(area[pairi], VSMALL);
+    }
+
+    // Diagonal blocks, boundary faces included: these may move as well
+    List<tensor> diagonal(n, Zero);
+    List<tensor> boundaryBlock(n, Zero);
+    forAll(data.boundary.owner, s)
+    {
+        const scalar a = mag(data.boundary.Sf[s]);
+        const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
+        boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+    }
+    diagonal = boundaryBlock;
+    forAll(area, pairi)
+    {
+        const tensor block(area[pairi]*(normal[pairi]*normal[pairi]));
+        diagonal[data.owner[pairi]] += block;
+        diagonal[data.neighbour[pairi]] += block;
+    }
+    forAll(diagonal, i)
+    {
+        for (label c = d; c < 3; ++c)
+        {
+            diagonal[i](c, c) = 1;
+        }
+        // Keeps the block of a particle with parallel faces invertible
+        const scalar shift = 1e-6*tr(diagonal[i]);
+        diagonal[i] = inv(diagonal[i] + tensor(shift*I));
+    }
+
+    const tensorField moments(firstMoments(data));
+    scalarField b(n*width);
+    for (label i = 0; i < n; ++i)
+    {
+        for (label p = 0; p < d; ++p)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                b[i*width + p*d + c] =
+                    (p == c ? data.V[i] : 0)
+                  - moments[i](space.axis(p), space.axis(c));
+            }
+        }
+    }
+
+    const auto A = [&](const scalarField& u, scalarField& v)
+    {
+        #pragma omp parallel for schedule(static)
+        for (label i = 0; i < n; ++i)
+        {
+            scalar sum[9] = {};
+            const scalar* ui = &u[i*width];
+            for (label p = 0; p < d; ++p)
+            {
+                for (label c = 0; c < d; ++c)
+                {
+                    for (label k = 0; k < d; ++k)
+                    {
+                        sum[p*d + c] += boundaryBlock[i](c, k)*ui[p*d + k];
+                    }
+                }
+            }
+            graph.forLinks
+            (
+                i,
+                [&](const label j, const label pairi)
+                {
+                    const scalar* uj = &u[j*width];
+                    const vector& m = normal[pairi];
+                    for (label p = 0; p < d; ++p)
+                    {
+                        scalar stretch = 0;
+                        for (label c = 0; c < d; ++c)
+                        {
+                            stretch += m[c]*(ui[p*d + c] - uj[p*d + c]);
+                        }
+                        stretch *= area[pairi];
+                        for (label c = 0; c < d; ++c)
+                        {
+                            sum[p*d + c] += stretch*m[c];
+                        }
+                    }
+                }
+            );
+            std::copy(sum, sum + width, &v[i*width]);
+        }
+    };
+
+    const auto jacobi = [&](const scalarField& r, scalarField& z)
+    {
+        #pragma omp parallel for schedule(static)
+        for (label i = 0; i < n; ++i)
+        {
+            for (label p = 0; p < d; ++p)
+            {
+                for (label c = 0; c < d; ++c)
+                {
+                    scalar sum = 0;
+                    for (label k = 0; k < d; ++k)
+                    {
+                        sum += diagonal[i](c, k)*r[i*width + p*d + k];
+                    }
+                    z[i*width + p*d + c] = sum;
+                }
+            }
+        }
+    };
+
+    const pairMultigrid multigrid
+    (
+        graph,
+        d,
+        d,
+        [&](const label pairi, scalar* block)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    block[c*d + k] =
+                        area[pairi]*normal[pairi][c]*normal[pairi][k];
+                }
+            }
+        },
+        [&](const label i, scalar* block)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    block[c*d + k] = boundaryBlock[i](c, k);
+                }
+            }
+        }
+    );
+
+    scalarField eta(n*width, Zero);
+    graph.solve
+    (
+        A,
+        [&](const scalarField& r, scalarField& z)
+        {
+            multigrid.precondition(A, jacobi, r, z, d);
+        },
+        b,
+        eta,
+        d,
+        d,
+        data.boundary.owner.empty(),
+        tolerance,
+        maxIterations
+    ).log("closing moments", tolerance);
+
+    data.skew.setSize(nPairs);
+    forAll(data.skew, pairi)
+    {
+        const scalar* ei = &eta[data.owner[pairi]*width];
+        const scalar* ej = &eta[data.neighbour[pairi]*width];
+        vector shift(Zero);
+        for (label p = 0; p < d; ++p)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                shift[p] += normal[pairi][c]*(ei[p*d + c] - ej[p*d + c]);
+            }
+        }
+        data.skew[pairi] = space.toGlobal(shift);
+    }
+    forAll(data.boundary.owner, s)
+    {
+        const vector& Sf = data.boundary.Sf[s];
+        const vector m(space.toLocal(Sf)/max(mag(Sf), VSMALL));
+        const scalar* ei = &eta[data.boundary.owner[s]*width];
+        vector shift(Zero);
+        for (label p = 0; p < d; ++p)
+        {
+            for (label c = 0; c < d; ++c)
+            {
+                shift[p] += m[c]*ei[p*d + c];
+            }
+        }
+        data.boundary.Cf[s] += space.toGlobal(shift);
+    }
+
+    scalar largest = 0;
+    forAll(data.skew, pairi)
+    {
+        largest = max
+        (
+            largest,
+            mag(data.skew[pairi])/mag(data.delta[pairi])
+        );
+    }
+    Info<< "    largest shift of a face centre over its pair's length: "
+        << largest << endl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,440 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Description
+    Particle meshes: pair areas, volumes, boundary faces and the closure of
+    particles on jittered lattices, with sums of their own.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleScene.H"
+#include "particlePairs.H"
+#include "Random.H"
+#include "StringStream.H"
+#include "volFields.H"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Area of a face between particles of the mesh's spacing
+scalar faceArea(const sphMesh& m)
+{
+    return m.space().volume(m.spacing()[0])/m.spacing()[0];
+}
+
+
+//- Sum over the faces of each particle of values at the face's centre,
+//- relative to the particle, times the area vector, over the volume.
+//  The value may jump across cyclic patches: each side evaluates it at the
+//  centre relative to its own particle
+vectorField gradient
+(
+    const sphMesh& m,
+    const std::function<scalar(const point&)>& f
+)
+{
+    vectorField sum(m.nParticles(), Zero);
+
+    for (label k = 0; k < m.nPairs(); ++k)
+    {
+        const label i = m.owner()[k];
+        const label j = m.neighbour()[k];
+        const vector skew(m.skew().empty() ? vector::zero : m.skew()[k]);
+
+        sum[i] += m.Sf()[k]*f(m.C()[i] + 0.5*m.delta()[k] + skew);
+        sum[j] -= m.Sf()[k]*f(m.C()[j] - 0.5*m.delta()[k] + skew);
+    }
+    for (const sphPatch& patch : m.boundary())
+    {
+        for (label s = 0; s < patch.size(); ++s)
+        {
+            sum[patch.owner()[s]] += patch.Sf()[s]*f(patch.Cf()[s]);
+        }
+    }
+
+    return sum/m.V();
+}
+
+
+//- Largest deviation of the sums over boundary faces of each FVM face from
+//- its area vector, over the largest area
+scalar mirrorError(const sphMesh& m)
+{
+    scalar error = 0;
+    for (const sphPatch& patch : m.boundary())
+    {
+        const polyPatch& pp = patch.patch().patch();
+        if (pp.empty() || pp.coupled() || patch.patch().size() == 0)
+        {
+            EXPECT_EQ(patch.size(), 0) << patch.name();
+            continue;
+        }
+
+        vectorField sum(pp.size(), Zero);
+        for (label s = 0; s < patch.size(); ++s)
+        {
+            sum[patch.face()[s]] += patch.Sf()[s];
+        }
+        const vectorField Sf(pp.faceAreas());
+        error = max(error, max(mag(sum - Sf))/max(mag(Sf)));
+    }
+    return error;
+}
+
+
+bool sameBytes(const vectorField& a, const vectorField& b)
+{
+    return
+        a.size() == b.size()
+     && std::equal
+        (
+            a.begin(),
+            a.end(),
+            b.begin(),
+            [](const vector& u, const vector& v)
+            {
+                return std::memcmp(&u, &v, sizeof(vector)) == 0;
+            }
+        );
+}
+
+
+//- Name of a scene
+class Closure
+:
+    public testing::TestWithParam<const char*>
+{
+protected:
+
+    std::unique_ptr<particleScene> scene =
+        particleScene::New(GetParam(), 0.3);
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * *  Assembly * * * * * * * * * * * * * * * * //
+
+TEST_P(Closure, rawAreasAreThoseOfTheKernel)
+{
+    const auto m = scene->assemble("type none;");
+    const scalar h = m->W().smoothingRatio()*m->spacing()[0];
+    const scalar step = 1e-6*h;
+
+    EXPECT_EQ(m->boundary().nFaces(), 0);
+    for (label k = 0; k < m->nPairs(); k += 7)
+    {
+        const label i = m->owner()[k];
+        const label j = m->neighbour()[k];
+        const vector& d = m->delta()[k];
+
+        // 2 V_i V_j dW/dr by differences, pointing from i to j
+        const scalar r = mag(d);
+        const scalar slope =
+            (m->W().W(r + step, h) - m->W().W(r - step, h))/(2*step);
+        const vector A
+        (
+            -2*m->V()[i]*m->V()[j]/m->space().thickness()*slope*d/r
+        );
+
+        EXPECT_LT(i, j);
+        EXPECT_GE(m->Sf()[k] & d, 0);
+        EXPECT_LT(mag(m->Sf()[k] - A), 1e-7*faceArea(*m));
+    }
+}
+
+
+TEST_P(Closure, everyClosureHasTheVolumeOfTheMesh)
+{
+    for
+    (
+        const char* type :
+        {
+            "type none;",
+            "type surfaceVector;",
+            "type consistent; order 0;",
+            "type consistent; order 1;",
+            "type consistent; order 1; volumes uniform;"
+        }
+    )
+    {
+        const auto m = scene->assemble(type);
+        EXPECT_NEAR(sum(m->V())/gSum(scene->mesh().V()), 1, 1e-12) << type;
+        EXPECT_GT(min(m->V()), 0) << type;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Consistent  * * * * * * * * * * * * * * * //
+
+TEST_P(Closure, boundaryFacesMirrorTheFacesOfTheMesh)
+{
+    for (const char* type : {"order 0;", "order 1;"})
+    {
+        EXPECT_LT(mirrorError(*scene->assemble(type)), 1e-13) << type;
+    }
+
+    const auto m = scene->assemble("order 0;");
+    for (const sphPatch& patch : m->boundary())
+    {
+        for (label s = 0; s < patch.size(); ++s)
+        {
+            const vector r(patch.Cf()[s] - m->C()[patch.owner()[s]]);
+            EXPECT_GT(r & patch.Sf()[s], 0);
+            EXPECT_GT(patch.distance()[s], 0);
+            EXPECT_LT(mag(r), m->W().support(m->spacing()[0]));
+        }
+    }
+}
+
+
+TEST_P(Closure, constantFieldsHaveNoGradient)
+{
+    for (const char* type : {"order 0;", "order 1;"})
+    {
+        const auto m = scene->assemble(type);
+        const vectorField g
+        (
+            gradient(*m, [](const point&) { return 1; })*m->V()
+        );
+        EXPECT_LT(max(mag(g))/faceArea(*m), 1e-12) << type;
+    }
+}
+
+
+TEST_P(Closure, linearFieldsHaveTheirGradient)
+{
+    const auto m = scene->assemble("order 1;");
+    ASSERT_EQ(m->skew().size(), m->nPairs());
+
+    for (const direction d : {0, 1, 2})
+    {
+        vector exact(Zero);
+        exact[d] = 1;
+
+        // Relative to a point of the box: round-off of the offset is that of
+        // the constant field
+        const vectorField g
+        (
+            gradient(*m, [&](const point& p) { return p[d] - 0.5; })
+        );
+        const bool solved = m->space().toLocal(exact) != vector::zero;
+
+        scalar error = 0;
+        forAll(g, i)
+        {
+            error = max(error, mag(g[i] - (solved ? exact : vector::zero)));
+        }
+
+        // Periodic coordinates differ by sums of areas, closed to 5e-14 of
+        // an area, times the extent of the box in spacings
+        EXPECT_LT(error, 5e-12) << "direction " << label(d);
+    }
+}
+
+
+TEST_P(Closure, areasKeepTheirDirection)
+{
+    for (const char* type : {"order 0;", "order 1;"})
+    {
+        const auto m = scene->assemble(type);
+        label nFlipped = 0;
+        for (label k = 0; k < m->nPairs(); ++k)
+        {
+            nFlipped += (m->Sf()[k] & m->delta()[k]) < 0;
+        }
+        EXPECT_LT(nFlipped, 0.002*m->nPairs()) << type;
+    }
+}
+
+
+TEST_P(Closure, resultDoesNotDependOnTheNumberOfThreads)
+{
+    const int nThreads = omp_get_max_threads();
+
+    omp_set_num_threads(1);
+    const auto one = scene->assemble("order 1;");
+    omp_set_num_threads(2);
+    const auto two = scene->assemble("order 1;");
+    omp_set_num_threads(nThreads);
+
+    EXPECT_TRUE(sameBytes(one->Sf(), two->Sf()));
+    EXPECT_TRUE(sameBytes(one->skew(), two->skew()));
+    EXPECT_TRUE
+    (
+        sameBytes(one->boundary().faces().Cf, two->boundary().faces().Cf)
+    );
+}
+
+INSTANTIATE_TEST_SUITE_P
+(
+    Scenes,
+    Closure,
+    testing::Values("box", "hole", "channel", "periodic", "cube")
+);
+
+
+TEST(Closure, variableSpacingClosesToo)
+{
+    testCase::layout layout;
+    particleScene scene(layout, 0.05, 0.3);
+    Random random(5);
+    for (scalar& dp : scene.particles().spacing)
+    {
+        dp *= 0.9 + 0.2*random.sample01<scalar>();
+    }
+
+    const auto m = scene.assemble("order 1;");
+    EXPECT_NEAR(sum(m->V()), gSum(scene.mesh().V()), 1e-13);
+    EXPECT_LT(mirrorError(*m), 1e-13);
+
+    const vectorField g(gradient(*m, [](const point& p) { return p.y(); }));
+    EXPECT_LT(max(mag(g - vector(0, 1, 0))), 5e-12);
+}
+
+
+// * * * * * * * * * * * * * * *  surfaceVector  * * * * * * * * * * * * * * //
+
+TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)
+{
+    const auto scene = particleScene::New("hole", 0.1);
+    const auto raw = scene->assemble("type none;");
+    const auto m = scene->assemble("type surfaceVector;");
+
+    vectorField pairSum(m->nParticles(), Zero);
+    scalarField divergence(m->nParticles(), Zero);
+    for (label k = 0; k < m->nPairs(); ++k)
+    {
+        EXPECT_EQ(m->Sf()[k], raw->Sf()[k]);
+
+        const label i = m->owner()[k];
+        const label j = m->neighbour()[k];
+        pairSum[i] += m->Sf()[k];
+        pairSum[j] -= m->Sf()[k];
+
+        // V_j r_ij.gradW_ij = -r.A_ij/(2 V_i)
+        const scalar rA = 0.5*(m->delta()[k] & m->Sf()[k]);
+        divergence[i] += rA/m->V()[i];
+        divergence[j] += rA/m->V()[j];
+    }
+
+    labelList nFaces(m->nParticles(), Zero);
+    for (const sphPatch& patch : m->boundary())
+    {
+        for (label s = 0; s < patch.size(); ++s)
+        {
+            const label i = patch.owner()[s];
+            ++nFaces[i];
+            EXPECT_LT(mag(patch.Sf()[s] + pairSum[i]), 1e-14);
+
+            const auto nearest = scene->fluid().find(m->C()[i]);
+            EXPECT_EQ(nearest.patchi, patch.index());
+            EXPECT_EQ(nearest.facei, patch.face()[s]);
+            EXPECT_NEAR(-nearest.distance, patch.distance()[s], 1e-14);
+        }
+    }
+
+    label nBoundary = 0;
+    forAll(nFaces, i)
+    {
+        EXPECT_EQ(nFaces[i], label(divergence[i] < 0.75*2)) << i;
+        nBoundary += nFaces[i];
+    }
+
+    // About the first layer: 4 + 1 sides of 20 and 20 particles
+    EXPECT_GT(nBoundary, 60);
+    EXPECT_LT(nBoundary, 140);
+}
+
+
+// * * * * * * * * * * * * * * *  Hidden pairs * * * * * * * * * * * * * * * //
+
+TEST(HiddenPairs, thinPlateSeparatesItsSides)
+{
+    // A plate of one spacing with fluid all around
+    testCase::layout layout;
+    layout.nCells = labelVector(25, 25, 1);
+    layout.hole = boundBox(point(0.2, 0.48, -1), point(0.8, 0.52, 1));
+    particleScene scene(layout, 0.04, 0.05);
+    const auto m = scene.assemble("type none;");
+
+    const auto above = [&](const label i)
+    {
+        return m->C()[i].y() > 0.5;
+    };
+
+    label nAcross = 0;
+    label nAround = 0;
+    for (label k = 0; k < m->nPairs(); ++k)
+    {
+        const label i = m->owner()[k];
+        const label j = m->neighbour()[k];
+        const scalar x = 0.5*(m->C()[i].x() + m->C()[j].x());
+        if (above(i) != above(j))
+        {
+            (mag(x - 0.5) < 0.25 ? nAcross : nAround) += 1;
+        }
+    }
+
+    // Without the plate there are pairs there
+    const particlePairs all
+    (
+        vectorField(m->C()),
+        scalarField(m->nParticles(), m->W().support(0.04)),
+        List<vector>()
+    );
+    label nWithout = 0;
+    for (label k = 0; k < all.size(); ++k)
+    {
+        const label i = all.owner[k];
+        const label j = all.neighbour[k];
+        const scalar x = 0.5*(m->C()[i].x() + m->C()[j].x());
+        nWithout += above(i) != above(j) && mag(x - 0.5) < 0.25;
+    }
+
+    EXPECT_GT(nWithout, 20);
+    EXPECT_EQ(nAcross, 0);
+    EXPECT_GT(nAround, 20);
+}
+
+
+// * * * * * * * * * * * * * * * * *  Errors * * * * * * * * * * * * * * * * //
+
+TEST(ClosureErrors, unknownWordsListTheValidOnes)
+{
+    const auto message = [](const std::string& text)
+    {
+        IStringStream is(text);
+        const dictionary dict(is);
+        return errorMessage([&]{ closure::New(dict); });
+    };
+
+    const std::string type(message("type mirrored;"));
+    for (const char* name : {"none", "surfaceVector", "consistent"})
+    {
+        EXPECT_NE(type.find(name), std::string::npos) << type;
+    }
+
+    const std::string order(message("type consistent; order 2;"));
+    EXPECT_NE(order.find("0 or 1"), std::string::npos) << order;
+
+    const std::string volumes(message("type consistent; volumes equal;"));
+    EXPECT_NE(volumes.find("uniform"), std::string::npos) << volumes;
+
+    const std::string threshold(message("type surfaceVector; threshold 2;"));
+    EXPECT_NE(threshold.find("0 to 1"), std::string::npos) << threshold;
+}
+
+// ************************************************************************* //
