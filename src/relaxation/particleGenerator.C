@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleGenerator.H"
+#include "overlapVolume.H"
 #include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
@@ -152,7 +153,12 @@ void Foam::SPH::particleGenerator::setDomain()
         if (body.patches().empty())
         {
             operands.append(&body.distance());
-            domain_.fluidVolume -= body.surface().volume();
+            const scalar overlap =
+                region_.valid()
+              ? overlapVolume(space_, *region_, body, spacing_->min())
+              : body.surface().volume();
+            domain_.fluidVolume -= overlap;
+            filesCutMesh_ = filesCutMesh_ || overlap > 0;
         }
     }
     if (operands.size() > 1)
@@ -430,6 +436,10 @@ void Foam::SPH::particleGenerator::generate()
     monitor_->write(directory/"convergence.csv");
 
     fluid_ = extract(particles, 0);
+    if (filesCutMesh_)
+    {
+        fluid_.volume = domain_.fluidVolume*space_.thickness();
+    }
     solids_.setSize(domain_.bodies.size() - 1);
     forAll(solids_, solidi)
     {
