@@ -142,11 +142,11 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
     );
 
     const label wanted =
-        label(round(domain_.fluidVolume/domain_.volume(spacing_)));
+        label(round(fluidVolume()/domain_.volume(spacing_)));
     const label nTaken =
         max(label(0), min(wanted - nInside, boundary.size()));
 
-    boolList taken(nNear, false);
+    boolList taken(phi.size());
     forAll(phi, s)
     {
         taken[s] = phi[s] < -tie;
@@ -253,6 +253,69 @@ Foam::SPH::latticeStart::latticeStart
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::SPH::latticeStart::fluidVolume() const
+{
+    if (domain_.fluidVolume > 0)
+    {
+        return domain_.fluidVolume;
+    }
+
+    const label nDims = domain_.nDims();
+    const label nParts = nDims == 3 ? 3 : 6;
+
+    label parts[3] = {1, 1, 1};
+    scalar cellVolume = 1;
+    for (label d = 0; d < nDims; ++d)
+    {
+        parts[d] = nParts;
+        cellVolume *= edges_[d];
+    }
+    const label nSamples = parts[0]*parts[1]*parts[2];
+
+    scalar nCells = 0;
+    for (const block& b : blocks_)
+    {
+        nCells += scalar(b.size[0])*b.size[1]*b.size[2];
+    }
+
+    #pragma omp parallel for schedule(static, 64) reduction(+: nCells)
+    for (label c = 0; c < nearCells_.size(); ++c)
+    {
+        const vector low(corner(nearCells_[c]));
+        const scalar phi = domain_.distance(0, low + 0.5*edges_);
+
+        if (phi < -mag(edges_))
+        {
+            nCells += 1;
+        }
+        else if (phi < mag(edges_))
+        {
+            for (label s = 0; s < nSamples; ++s)
+            {
+                vector p(low);
+                label rest = s;
+                for (label d = 0; d < nDims; ++d)
+                {
+                    p[d] += edges_[d]*(rest % parts[d] + 0.5)/parts[d];
+                    rest /= parts[d];
+                }
+                nCells +=
+                    (
+                        1
+                      - staticSupport::heaviside
+                        (
+                            domain_.distance(0, p),
+                            0.75*spacing_/nParts
+                        )
+                    )/nSamples;
+            }
+        }
+    }
+
+    return nCells*cellVolume;
+}
+
 
 void Foam::SPH::latticeStart::generate
 (

@@ -152,7 +152,9 @@ void Foam::SPH::particleGenerator::setDomain()
         if (body.patches().empty())
         {
             operands.append(&body.distance());
-            domain_.fluidVolume -= body.surface().volume();
+
+            // Part of the body may be outside the mesh
+            domain_.fluidVolume = 0;
         }
     }
     if (operands.size() > 1)
@@ -290,7 +292,7 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
         const latticeStart lattice(domain_, *pattern_);
         dp = lattice.spacing();
         nCells = lattice.nNearCells();
-        n = domain_.fluidVolume/domain_.volume(dp);
+        n = lattice.fluidVolume()/domain_.volume(dp);
     }
     else
     {
@@ -370,16 +372,21 @@ void Foam::SPH::particleGenerator::generate()
         spaceFillingOrder(start.points, domain_.minSpacing)
     );
     List<vector> points(reordered(start.points, order));
+    scalarField phi(reordered(start.phi, order));
     if (jitter_ > 0)
     {
         Random random(seed_);
         forAll(points, i)
         {
-            const scalar amplitude = jitter_*start.spacing[order[i]];
+            vector shift(Zero);
             for (label d = 0; d < space_.nDims(); ++d)
             {
-                points[i][d] += amplitude*(2*random.sample01<scalar>() - 1);
+                shift[d] =
+                    jitter_*start.spacing[order[i]]
+                   *(2*random.sample01<scalar>() - 1);
             }
+            points[i] += shift;
+            phi[i] += mag(shift);
         }
     }
 
@@ -394,7 +401,7 @@ void Foam::SPH::particleGenerator::generate()
         points,
         reordered(start.spacing, order),
         reordered(start.body, order),
-        reordered(start.phi, order),
+        phi,
         jitter_ > 0
       ? boolList(order.size(), false)
       : boolList(reordered(start.regular, order))

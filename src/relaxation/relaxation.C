@@ -347,9 +347,10 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 
     label iteration =
         monitor.history().empty() ? 0 : monitor.history().last().iteration;
+    const label last = iteration + method_.maxIterations();
     bool verified = false;
 
-    while (iteration < method_.maxIterations() && nActive())
+    while (iteration < last && nActive())
     {
         ++iteration;
 
