@@ -376,16 +376,21 @@ void Foam::SPH::particleGenerator::generate()
         spaceFillingOrder(start.points, domain_.minSpacing)
     );
     List<vector> points(reordered(start.points, order));
+    scalarField phi(reordered(start.phi, order));
     if (jitter_ > 0)
     {
         Random random(seed_);
         forAll(points, i)
         {
-            const scalar amplitude = jitter_*start.spacing[order[i]];
+            vector shift(Zero);
             for (label d = 0; d < space_.nDims(); ++d)
             {
-                points[i][d] += amplitude*(2*random.sample01<scalar>() - 1);
+                shift[d] =
+                    jitter_*start.spacing[order[i]]
+                   *(2*random.sample01<scalar>() - 1);
             }
+            points[i] += shift;
+            phi[i] += mag(shift);
         }
     }
 
@@ -400,7 +405,7 @@ void Foam::SPH::particleGenerator::generate()
         points,
         reordered(start.spacing, order),
         reordered(start.body, order),
-        reordered(start.phi, order),
+        phi,
         jitter_ > 0
       ? boolList(order.size(), false)
       : boolList(reordered(start.regular, order))
