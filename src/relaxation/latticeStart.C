@@ -146,7 +146,7 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
     const label nTaken =
         max(label(0), min(wanted - nInside, boundary.size()));
 
-    boolList taken(nNear, false);
+    boolList taken(phi.size());
     forAll(phi, s)
     {
         taken[s] = phi[s] < -tie;

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleGenerator.H"
+#include "overlapVolume.H"
 #include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
@@ -152,7 +153,12 @@ void Foam::SPH::particleGenerator::setDomain()
         if (body.patches().empty())
         {
             operands.append(&body.distance());
-            domain_.fluidVolume -= body.surface().volume();
+            const scalar overlap =
+                region_.valid()
+              ? overlapVolume(space_, *region_, body, spacing_->min())
+              : body.surface().volume();
+            domain_.fluidVolume -= overlap;
+            filesCutMesh_ = filesCutMesh_ || overlap > 0;
         }
     }
     if (operands.size() > 1)
@@ -370,16 +376,21 @@ void Foam::SPH::particleGenerator::generate()
         spaceFillingOrder(start.points, domain_.minSpacing)
     );
     List<vector> points(reordered(start.points, order));
+    scalarField phi(reordered(start.phi, order));
     if (jitter_ > 0)
     {
         Random random(seed_);
         forAll(points, i)
         {
-            const scalar amplitude = jitter_*start.spacing[order[i]];
+            vector shift(Zero);
             for (label d = 0; d < space_.nDims(); ++d)
             {
-                points[i][d] += amplitude*(2*random.sample01<scalar>() - 1);
+                shift[d] =
+                    jitter_*start.spacing[order[i]]
+                   *(2*random.sample01<scalar>() - 1);
             }
+            points[i] += shift;
+            phi[i] += mag(shift);
         }
     }
 
@@ -394,7 +405,7 @@ void Foam::SPH::particleGenerator::generate()
         points,
         reordered(start.spacing, order),
         reordered(start.body, order),
-        reordered(start.phi, order),
+        phi,
         jitter_ > 0
       ? boolList(order.size(), false)
       : boolList(reordered(start.regular, order))
@@ -430,6 +441,10 @@ void Foam::SPH::particleGenerator::generate()
     monitor_->write(directory/"convergence.csv");
 
     fluid_ = extract(particles, 0);
+    if (filesCutMesh_)
+    {
+        fluid_.volume = domain_.fluidVolume*space_.thickness();
+    }
     solids_.setSize(domain_.bodies.size() - 1);
     forAll(solids_, solidi)
     {

@@ -210,7 +210,8 @@ bool Foam::SPH::particleRepair::check()
 {
     points_ = particles_.positions();
     gridPtr_.reset(new cellGrid(points_, min(particles_.spacing)));
-    removed_ = boolList(particles_.nParticles(), false);
+    removed_.setSize(particles_.nParticles());
+    removed_ = false;
     added_.clear();
     nOutside_ = nClose_ = nVoids_ = 0;
 

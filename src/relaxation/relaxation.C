@@ -178,13 +178,14 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         const label i = targets[t];
         const scalar dp = particles_.spacing[i];
 
-        vector dr(steps_[t] + momentum*lastStep_[i]);
+        vector dr(damping_[i]*(steps_[t] + momentum*lastStep_[i]));
         dr *= min(scalar(1), maxStep_*dp/max(mag(dr), VSMALL));
 
         const vector moved(bounding_.move(bodyi, i, dr, particles_));
 
         // A particle held at a surface may go to and fro between two surface
-        // elements: what counts is the way of two iterations
+        // elements: its steps are damped, and what counts for the residual is
+        // the way of two iterations
         force_[i] = mag(sums_[t])*dp;
         const bool held =
             mag(moved - dr) > 1e-9*dp
@@ -194,6 +195,10 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
             held
           ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))
           : force_[i];
+        damping_[i] =
+            held && (moved & lastStep_[i]) < 0
+          ? max(0.7*damping_[i], minDamping_)
+          : min(1.02*damping_[i], scalar(1));
         lastStep_[i] = moved;
     }
 
@@ -329,7 +334,8 @@ Foam::SPH::relaxation::relaxation
     touched_(particles.nParticles(), false),
     force_(particles.nParticles(), Zero),
     residual_(particles.nParticles(), Zero),
-    lastStep_(particles.nParticles(), Zero)
+    lastStep_(particles.nParticles(), Zero),
+    damping_(particles.nParticles(), scalar(1))
 {}
 
 
@@ -347,9 +353,10 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 
     label iteration =
         monitor.history().empty() ? 0 : monitor.history().last().iteration;
+    const label last = iteration + method_.maxIterations();
     bool verified = false;
 
-    while (iteration < method_.maxIterations() && nActive())
+    while (iteration < last && nActive())
     {
         ++iteration;
 

@@ -12,6 +12,7 @@ License
 #include "periodicImages.H"
 #include "rawPairAreas.H"
 #include "spaceFillingCurve.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -113,7 +114,12 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     }
     data.owner.transfer(pairs.owner);
     data.neighbour.transfer(pairs.neighbour);
-    data.V = rawVolumes(mesh, space, data.spacing);
+    data.V = rawVolumes
+    (
+        space,
+        data.spacing,
+        particles.volume > 0 ? particles.volume : gSum(mesh.V())
+    );
     data.Sf = rawPairAreas(space, W, data.V, data);
 
     method.close(mesh, space, W, fluid, data);

@@ -8,15 +8,14 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rawPairAreas.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
 (
-    const fvMesh& mesh,
     const solutionSpace& space,
-    const scalarField& spacing
+    const scalarField& spacing,
+    const scalar total
 )
 {
     auto tV = tmp<scalarField>::New(spacing.size());
@@ -26,7 +25,7 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
     {
         V[i] = space.volume(spacing[i]);
     }
-    V *= gSum(mesh.V())/sum(V);
+    V *= total/sum(V);
 
     return tV;
 }

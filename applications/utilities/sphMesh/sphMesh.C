@@ -71,6 +71,16 @@ int main(int argc, char *argv[])
     const autoPtr<closure> method(closure::New(dict.subOrEmptyDict("closure")));
     particleGenerator generator(mesh, dict);
 
+    if (generator.filesCutMesh() && method->type() != noClosure::typeName)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Bodies read from files overlap the mesh, which has no patches"
+            << " there to close the particles' areas with. Use a mesh whose"
+            << " patches are the bodies, made by snappyHexMesh or polygonMesh,"
+            << " or 'closure {type none;}' for particles alone"
+            << exit(FatalIOError);
+    }
+
     if (args.found("dry-run"))
     {
         generator.estimate(Info);
@@ -86,6 +96,10 @@ int main(int argc, char *argv[])
             "kineticEnergy",
             generator.monitor().history().last().kineticEnergy
         );
+    }
+    if (generator.filesCutMesh())
+    {
+        properties.add("fluidVolume", generator.fluid().volume);
     }
 
     Info<< "Pairs and closure" << endl;

@@ -144,7 +144,12 @@ Foam::SPH::meshQuality::meshQuality
     (
         "volume",
         "fluid",
-        sum(particles.V())/gSum(particles.mesh().V()) - 1
+        sum(particles.V())
+       /particles.properties().lookupOrDefault<scalar>
+        (
+            "fluidVolume", gSum(particles.mesh().V())
+        )
+      - 1
     );
     addClosure();
     addPatchAreas();

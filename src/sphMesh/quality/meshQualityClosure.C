@@ -73,7 +73,7 @@ void Foam::SPH::meshQuality::addPairAreas()
         (
             space,
             particles_.W(),
-            rawVolumes(particles_.mesh(), space, data.spacing),
+            rawVolumes(space, data.spacing, sum(data.V)),
             data
         )
     );

@@ -11,8 +11,8 @@ Application
 Description
     Generates particles in random scenes (randomScene.H), each in a process of
     its own with a time limit, and checks them: all inside, none closer than
-    0.4 spacings to another, no void where a particle is missing, areas closed
-    to 1e-12.
+    0.4 spacings to another, no void into which another particle would fit a
+    spacing off all others, areas closed to 1e-12.
 
 Usage
     \b particleGenerationStress -kind \<kind\> -first \<seed\> -last \<seed\>
@@ -57,10 +57,14 @@ using namespace Foam::SPH;
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 //- What is wrong with the particles, empty if nothing
+//  \param closest smallest distance of two particles over dp
+//  \param widest largest radius of a void over dp
 static std::string findFaults
 (
     const SPH::sphMesh& particles,
-    const signedDistance& fluid
+    const signedDistance& fluid,
+    scalar& closest,
+    scalar& widest
 )
 {
     const solutionSpace& space = particles.space();
@@ -80,7 +84,7 @@ static std::string findFaults
         faults << " particles outside: " << nOutside;
     }
 
-    scalar closest = GREAT;
+    closest = GREAT;
     for (label i = 0; i < n; ++i)
     {
         for (label j = i + 1; j < n; ++j)
@@ -90,7 +94,7 @@ static std::string findFaults
     }
     if (closest < 0.4)
     {
-        faults << " closest: " << closest;
+        faults << " particles too close";
     }
 
     const scalar radius = largestVoid
@@ -100,9 +104,10 @@ static std::string findFaults
         dp,
         [&](const vector& p) { return fluid.inside(space.position(p)); }
     );
-    if (radius > 1.25*0.5*Foam::sqrt(scalar(space.nDims())))
+    widest = radius;
+    if (radius >= 1)
     {
-        faults << " void: " << radius;
+        faults << " a particle would fit into a void";
     }
 
     // Area sum of each particle over V^((d-1)/d)
@@ -160,6 +165,8 @@ static void run
 
     std::string faults;
     label nParticles = 0;
+    scalar closest = 0;
+    scalar widest = 0;
     try
     {
         PtrList<polygonPatch> patches;
@@ -235,7 +242,10 @@ static void run
         }
 
         nParticles = particles.nParticles();
-        faults = findFaults(particles, generator.fluidDistance());
+        faults = findFaults
+        (
+            particles, generator.fluidDistance(), closest, widest
+        );
     }
     catch (const Foam::error& e)
     {
@@ -249,7 +259,8 @@ static void run
     std::cout
         << (faults.empty() ? "PASS " : "FAIL ") << name
         << " (sharpest angle " << scene.sharpest() << ", "
-        << nParticles << " particles)" << faults << std::endl;
+        << nParticles << " particles, closest " << closest << ", widest void "
+        << widest << ')' << faults << std::endl;
 }
 
 
