@@ -289,7 +289,7 @@ void Foam::SPH::latticeStart::generate
 
     // Shares of the cells are put one after the other, so that the result
     // does not depend on the number of threads
-    const label nShares = omp_get_max_threads();
+    const label nShares = max(1, omp_get_max_threads());
     List<particleStart> shares(nShares);
 
     #pragma omp parallel for schedule(static, 1)

@@ -9,6 +9,7 @@ License
 
 #include "compressibleFlow.H"
 #include "compressibleStates.H"
+#include "linear.H"
 #include "meshToParticles.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
@@ -49,6 +50,24 @@ Foam::SPH::compressibleFlow::initialState() const
 }
 
 
+Foam::volScalarField& Foam::SPH::compressibleFlow::density()
+{
+    return particles_.mesh().lookupObjectRef<volScalarField>("rho");
+}
+
+
+void Foam::SPH::compressibleFlow::mapFields()
+{
+    toMesh().map(velocity()(), U_);
+    toMesh().map(law_->primitive(0)(), T_);
+    toMesh().map(law_->primitive(1 + loopDims(particles_))(), p_);
+
+    static_cast<compressibleStates&>(*faces_).correctDensity();
+    toMesh().mapInternal(law_->conserved(0)(), density());
+    phi_ = linearInterpolate(density())*volumeFlux(U_);
+}
+
+
 void Foam::SPH::compressibleFlow::writeFields()
 {
     const label nDims = loopDims(particles_);
@@ -63,17 +82,10 @@ void Foam::SPH::compressibleFlow::writeFields()
     store_.write<vector>("rhoU", momentum());
     store_.write<scalar>("rhoE", law_->conserved(1 + nDims)());
 
-    writeMapped(U, U_);
-    writeMapped(T, T_);
-    writeMapped(p, p_);
-
-    auto& states = static_cast<compressibleStates&>(*faces_);
-    states.correctDensity();
-    writeMapped
-    (
-        scalarField(law_->conserved(0)),
-        particles_.mesh().lookupObjectRef<volScalarField>("rho")
-    );
+    writeMapped(U_);
+    writeMapped(T_);
+    writeMapped(p_);
+    writeMapped(density());
 }
 
 

@@ -9,6 +9,7 @@ License
 
 #include "flowSolver.H"
 #include "OSspecific.H"
+#include "linear.H"
 #include "subCycleTime.H"
 
 #include <omp.h>
@@ -128,6 +129,25 @@ Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::momentum() const
         );
     }
     return tmomentum;
+}
+
+
+const Foam::SPH::particlesToMesh& Foam::SPH::flowSolver::toMesh()
+{
+    if (!toMesh_.valid())
+    {
+        toMesh_.reset(new particlesToMesh(particles_));
+    }
+    return *toMesh_;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::SPH::flowSolver::volumeFlux
+(
+    const volVectorField& U
+)
+{
+    return linearInterpolate(U) & U.mesh().Sf();
 }
 
 
@@ -257,12 +277,18 @@ void Foam::SPH::flowSolver::advance()
     }
 
     runTime_.alignWriteTime();
+
+    if (runTime_.otherFunctions())
+    {
+        mapFields();
+    }
 }
 
 
 void Foam::SPH::flowSolver::writeTime()
 {
     store_.writePositions();
+    mapFields();
     writeFields();
     store_.purge();
 }

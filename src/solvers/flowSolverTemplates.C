@@ -57,16 +57,9 @@ Foam::tmp<GeoField> Foam::SPH::flowSolver::readField
 template<class Type>
 void Foam::SPH::flowSolver::writeMapped
 (
-    const Field<Type>& values,
-    GeometricField<Type, fvPatchField, volMesh>& field
-)
+    const GeometricField<Type, fvPatchField, volMesh>& field
+) const
 {
-    if (!toMesh_.valid())
-    {
-        toMesh_.reset(new particlesToMesh(particles_));
-    }
-    toMesh_->map(values, field);
-
     const GeometricField<Type, fvPatchField, volMesh> mapped
     (
         IOobject

@@ -13,6 +13,37 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::SPH::sphTime::separateFunctions()
+{
+    otherFunctions_ = false;
+
+    // Time keeps its dictionary to itself, but reads the functions from it
+    // only later
+    auto& controls = const_cast<dictionary&>(controlDict());
+    dictionary* functions = controls.findDict("functions");
+
+    if (!functions)
+    {
+        return;
+    }
+
+    for (const word& name : functions->toc())
+    {
+        const dictionary* function = functions->findDict(name);
+
+        if
+        (
+            function
+         && !function->getOrDefault<word>("type", "").starts_with("sph")
+        )
+        {
+            otherFunctions_ = true;
+            functions->changeKeyword(name, word(name + ".sph"));
+        }
+    }
+}
+
+
 void Foam::SPH::sphTime::startAt(const instant& start)
 {
     startTime_ = start.value();
@@ -33,12 +64,24 @@ Foam::scalar Foam::SPH::sphTime::nameValue(const scalar time)
 }
 
 
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::sphTime::readDict()
+{
+    Time::readDict();
+    separateFunctions();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::sphTime::sphTime(const argList& args)
 :
-    Time(Time::controlDictName, args)
+    Time(Time::controlDictName, args),
+    otherFunctions_(false)
 {
+    separateFunctions();
+
     const word startFrom
     (
         controlDict().getOrDefault<word>("startFrom", "latestTime")

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "weaklyCompressibleFlow.H"
+#include "findRefCell.H"
 #include "meshToParticles.H"
 #include "compat.H"
 #include "scalarIOField.H"
@@ -173,6 +174,40 @@ Foam::SPH::weaklyCompressibleFlow::initialState() const
 }
 
 
+void Foam::SPH::weaklyCompressibleFlow::mapFields()
+{
+    toMesh().map(velocity()(), U_);
+    toMesh().map(law_->primitive(0)(), p_);
+    phi_ = volumeFlux(U_);
+
+    // In a closed domain the pressure level is that of FVM's reference cell
+    for (const word& algorithm : {"PISO", "PIMPLE", "SIMPLE"})
+    {
+        const dictionary controls
+        (
+            particles_.mesh().solutionDict().subOrEmptyDict(algorithm)
+        );
+
+        if (controls.found("pRefCell") || controls.found("pRefPoint"))
+        {
+            label celli = 0;
+            scalar value = 0;
+            if (setRefCell(p_, controls, celli, value))
+            {
+                p_ +=
+                    dimensionedScalar
+                    (
+                        "shift",
+                        p_.dimensions(),
+                        value - getRefCellValue(p_, celli)
+                    );
+            }
+            break;
+        }
+    }
+}
+
+
 void Foam::SPH::weaklyCompressibleFlow::writeFields()
 {
     const scalarField p(law_->primitive(0));
@@ -194,8 +229,8 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
     const scalarIOField outerState(outerStateIO(), faces_->followed());
     writeAs(outerState, IOstream::BINARY);
 
-    writeMapped(U, U_);
-    writeMapped(p, p_);
+    writeMapped(U_);
+    writeMapped(p_);
 }
 
 

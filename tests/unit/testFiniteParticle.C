@@ -522,7 +522,7 @@ TEST(GradientWeights, AreExactForLinearFields)
 
 TEST(ConservationLaw, KeepsAFreeStreamBitwise)
 {
-    for (const word& limiter : {"firstOrder", "none", "vanLeer"})
+    for (const word limiter : {"firstOrder", "none", "vanLeer"})
     {
         checkFreeStream(water, "linearisedLimited", limiter, {0.3, 0.8, 0.6});
         checkFreeStream(water, "linearised", limiter, {0.3, 0.8, 0.6});
@@ -536,7 +536,7 @@ TEST(ConservationLaw, KeepsAFreeStreamBitwise)
 
 TEST(ConservationLaw, ConservesBetweenSlipWalls)
 {
-    for (const word& limiter : {"firstOrder", "vanLeer", "BarthJespersen"})
+    for (const word limiter : {"firstOrder", "vanLeer", "BarthJespersen"})
     {
         vector force;
 
