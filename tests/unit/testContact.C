@@ -268,6 +268,7 @@ void checkMirror
         }
     }
     givenStates outer(*all, state.size());
+    setWalls(outer, type, 0);
     autoPtr<conservationLaw> wideLaw
     (
         conservationLaw::New(dict, fluid, outer)
@@ -294,7 +295,7 @@ void checkMirror
                         Q[v][i],
                         wideQ[v][j],
                         1e-10*mag(undisturbed[v][i])
-                    ) << flux << " " << v << " at " << all->C()[j];
+                    ) << flux << " " << v << " at y = " << all->C()[j].y();
                 }
                 if (mag(Q[0][i] - undisturbed[0][i]) > 1e-8*mag(Q[0][i]))
                 {
