@@ -304,6 +304,8 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
 
             if constexpr (Limiter::linear)
             {
+                // A contact pair does not end at the wall: its gradient is
+                // the difference of two particles
                 if (wall && quadraticWall_ && !faces_.contact(facei))
                 {
                     normalGradient[v] =
