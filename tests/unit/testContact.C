@@ -33,15 +33,16 @@ const weaklyCompressibleFluid inviscidWater{10, 0};
 constexpr scalar dp = 0.05;
 
 
-//- A channel, periodic in x, whose walls are at y = -margin and 1 + margin
+//- A channel whose walls are at y = -margin and 1 + margin, periodic in x
 std::unique_ptr<particleScene> channel
 (
     const scalar margin = 0,
-    const scalar jitter = 0
+    const scalar jitter = 0,
+    const bool periodic = true
 )
 {
     testCase::layout layout;
-    layout.periodic[0] = true;
+    layout.periodic[0] = periodic;
     layout.box = boundBox(point(0, -margin, 0), point(1, 1 + margin, 0.1));
     return std::make_unique<particleScene>(layout, dp, jitter);
 }
@@ -80,9 +81,9 @@ class contactChannel
 
 public:
 
-    explicit contactChannel(const scalar jitter)
+    explicit contactChannel(const scalar jitter, const bool periodic = true)
     :
-        scene_(channel(0, jitter)),
+        scene_(channel(0, jitter, periodic)),
         surfaceVectors_(scene_->assemble("type surfaceVector;"))
     {
         particleMeshData data(surfaceVectors_->data());
@@ -350,6 +351,36 @@ TEST(Contact, HasTheAreaOfTheWall)
         const vector area(sum(patch.Sf()));
         EXPECT_NEAR(mag(area), 0.974*0.1, 5e-4*0.1);
         EXPECT_NEAR(area.y(), name == "top" ? mag(area) : -mag(area), 1e-12);
+    }
+}
+
+
+TEST(Contact, LeavesOtherPatchesTheirSurfaceVectors)
+{
+    const contactChannel particles(0.3, false);
+    const vectorField residual(areaSums(particles()));
+    const boundaryFaces& faces = particles().boundary().faces();
+
+    labelList nPairs(particles().nParticles(), Zero);
+    forAll(faces.owner, facei)
+    {
+        nPairs[faces.owner[facei]] += mag(faces.wallNormal[facei]) > 0;
+    }
+
+    for (const word& name : {word("left"), word("right")})
+    {
+        const sphPatch& patch = particles().boundary()
+        [
+            particles().mesh().boundaryMesh().findPatchID(name)
+        ];
+        label nAtCorners = 0;
+        forAll(patch.owner(), k)
+        {
+            EXPECT_EQ(mag(faces.wallNormal[patch.start() + k]), 0);
+            EXPECT_LT(mag(residual[patch.owner()[k]]), 1e-12*dp);
+            nAtCorners += nPairs[patch.owner()[k]] > 0;
+        }
+        EXPECT_GT(nAtCorners, 0);
     }
 }
 
