@@ -355,8 +355,15 @@ void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
         {
             return;
         }
+        if (!method_->repair())
+        {
+            Info<< "Left as relaxed: ";
+            repair.report(Info);
+            return;
+        }
         if (round < maxRepairs)
         {
+            Info<< "Repaired: ";
             repair.report(Info);
             repair.repair();
         }
@@ -432,6 +439,8 @@ void Foam::SPH::particleGenerator::generate()
         )
     );
     relaxAndRepair(particles);
+    Info<< "Kinetic energy of the first layer at first: "
+        << monitor_->firstEnergy() << endl;
 
     const fileName directory
     (

@@ -31,13 +31,12 @@ void Foam::SPH::relaxation::resetList()
     }
 
     const scalar maxSpacing = max(particles_.spacing);
-    const scalar skin = method_.skin()*min(particles_.spacing);
 
     particles_.makeImages
     (
         domain_.low,
         domain_.high,
-        domain_.support(0, maxSpacing) + skin
+        domain_.support(0, maxSpacing) + method_.skin()*maxSpacing
     );
 
     // Roles of fixed points are those of their body plus the number of bodies
@@ -62,12 +61,19 @@ void Foam::SPH::relaxation::resetList()
     }
     const scalar ratio = largest/smallest*(domain_.uniform() ? 1 : 1.4);
 
-    list_.reset(particles_.positions(), std::move(radius), ratio, skin);
+    list_.reset
+    (
+        particles_.positions(),
+        std::move(radius),
+        ratio,
+        method_.skin()/domain_.W.cutOff()/largest
+    );
 }
 
 
 bool Foam::SPH::relaxation::outOfSkin() const
 {
+    // Largest way since the reset over the skin
     scalar largest = 0;
 
     for (const DynamicList<label>& targets : targets_)
@@ -80,12 +86,15 @@ bool Foam::SPH::relaxation::outOfSkin() const
             largest = max
             (
                 largest,
-                magSqr(particles_.position(i) - list_.resetPoint(i))
+                magSqr
+                (
+                    (particles_.position(i) - list_.resetPoint(i))/list_.skin(i)
+                )
             );
         }
     }
 
-    return largest > sqr(0.5*list_.skin());
+    return largest > sqr(scalar(0.5));
 }
 
 
@@ -398,7 +407,7 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 
         if (monitor.logs(iteration))
         {
-            monitor.log(Info(), nActive());
+            monitor.log(Info(), nActive(), last);
         }
         if (outOfSkin())
         {
