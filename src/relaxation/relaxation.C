@@ -20,8 +20,10 @@ void Foam::SPH::relaxation::resetList()
     {
         for (const DynamicList<label>& targets : targets_)
         {
-            for (const label i : targets)
+            #pragma omp parallel for schedule(dynamic, 256)
+            for (label t = 0; t < targets.size(); ++t)
             {
+                const label i = targets[t];
                 particles_.setSpacing
                 (
                     i, domain_.spacingAt(particles_.position(i))
@@ -177,8 +179,16 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
     {
         uphill += sums_[t] & lastStep_[targets[t]];
     }
-    const scalar unboundedBand =
-        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi) : 0;
+
+    // Nearer than this to the surface (over dp) a particle is held: it is not
+    // free to go where it is drawn to
+    const scalar holding =
+        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi)
+      : (1 - 1e-6)*min
+        (
+            method_.boundingDistance(bodyi, false),
+            method_.boundingDistance(bodyi, bodyi == 0)
+        );
     const scalar momentum = uphill > 0 ? 0 : method_.momentum();
 
     #pragma omp parallel for schedule(dynamic, 256) if (targets.size() > 2048)
@@ -199,7 +209,7 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         const bool held =
             mag(moved - dr) > 1e-9*dp
          || -particles_.phi[i] - particles_.drift[i]
-          < unboundedBand*dp;
+          < holding*dp;
         residual_[i] =
             held
           ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))

@@ -26,7 +26,7 @@ Usage
         Draw the particles with their kernel gradient sums in particles.png
         beside quality.csv
 
-      - \par -view ((xMin yMin zMin) (xMax yMax zMax))
+      - \par -view "(xMin yMin zMin) (xMax yMax zMax)"
         Draw this part of them
 
 \*---------------------------------------------------------------------------*/
