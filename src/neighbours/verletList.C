@@ -16,16 +16,15 @@ void Foam::SPH::verletList::reset
     vectorField&& points,
     scalarField&& radius,
     const scalar radiusRatio,
-    const scalar skin
+    const scalar skinRatio
 )
 {
     points_ = std::move(points);
     radius_ = std::move(radius);
-    maxRadius_ = max(radius_);
     radiusRatio_ = radiusRatio;
-    skin_ = skin;
+    skinRatio_ = skinRatio;
 
-    gridPtr_.reset(new cellGrid(points_, min(radius_) + skin));
+    gridPtr_.reset(new cellGridLevels(points_, radius_, 1 + skinRatio_));
 
     begin_.setSize(points_.size());
     end_.setSize(points_.size());

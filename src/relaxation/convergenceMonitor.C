@@ -40,7 +40,8 @@ bool Foam::SPH::convergenceMonitor::converged() const
 void Foam::SPH::convergenceMonitor::log
 (
     Ostream& os,
-    const label nActive
+    const label nActive,
+    const label lastIteration
 ) const
 {
     const record& last = history_.last();
@@ -59,7 +60,7 @@ void Foam::SPH::convergenceMonitor::log
             Foam::log(history_[back].relativeResidual/last.relativeResidual)
            /logInterval_;
 
-        scalar nLeft = maxIterations_ - last.iteration;
+        scalar nLeft = lastIteration - last.iteration;
         if (decay > 0)
         {
             nLeft = min(nLeft, Foam::log(last.relativeResidual)/decay);

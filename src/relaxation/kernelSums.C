@@ -48,6 +48,7 @@ namespace SPH
         const scalar* const V = particles.V.cdata();
         const scalar* const dp = particles.spacing.cdata();
         const scalar sigma = W.sigma(1);
+        const scalar rRatio = 1/smoothingRatio;
 
         #pragma omp parallel for schedule(dynamic, 256) \
             if (targets.size() > 1024)
@@ -59,7 +60,7 @@ namespace SPH
             const scalar xi = x[i];
             const scalar yi = y[i];
             const scalar zi = z[i];
-            const scalar rhi = 1/(smoothingRatio*dp[i]);
+            const scalar rhi = rRatio/dp[i];
             const scalar ci = sigma*power<nDims + 1>(rhi);
 
             scalar sx = 0;
@@ -80,7 +81,7 @@ namespace SPH
                 scalar dW = ci*Shape::dw(r*rhi);
                 if constexpr (!uniform)
                 {
-                    const scalar rhj = 1/(smoothingRatio*dp[j]);
+                    const scalar rhj = rRatio/dp[j];
                     dW = 0.5
                        *(dW + sigma*power<nDims + 1>(rhj)*Shape::dw(r*rhj));
                 }

@@ -116,6 +116,9 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
     // Deep sites are inside whatever the count is
     const scalar tie = 0.5*spacing_;
 
+    // Distances equal to round-off are ties
+    const scalar tieWidth = 1e-9*spacing_;
+
     label nInside = start.points.size();
     DynamicList<label> boundary;
     forAll(phi, s)
@@ -136,8 +139,7 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
         boundary.end(),
         [&](const label a, const label b)
         {
-            // Distances equal to round-off are ties
-            return phi[a] < phi[b] - 1e-9*spacing_;
+            return phi[a] < phi[b] - tieWidth;
         }
     );
 
@@ -171,10 +173,11 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
             continue;
         }
 
+        // A site on the interface that the fluid did not take is the solid's
         for (label bodyi = 1; bodyi < nBodies; ++bodyi)
         {
             const scalar phis = domain_.distance(bodyi, p);
-            if (phis < -threshold && phis > -fluidReach)
+            if (phis < -threshold + tieWidth && phis > -fluidReach)
             {
                 start.add(p, spacing_, bodyi, phis, false);
                 break;

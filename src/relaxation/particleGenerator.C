@@ -20,6 +20,7 @@ License
 #include "OSspecific.H"
 #include "Random.H"
 #include "UIndirectList.H"
+#include "cpuTime.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -203,7 +204,7 @@ void Foam::SPH::particleGenerator::setDomain()
                         *body.surface,
                         space_,
                         spacing_->min(),
-                        2*kernel_->support(spacing_->max())
+                        2*kernel_->support(spacing_->min())
                     )
                 );
                 body.surface = &grids_.last();
@@ -349,14 +350,23 @@ void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
 
     for (label round = 0; round <= maxRepairs; ++round)
     {
-        relaxation(domain_, *method_, particles).run(*monitor_);
+        relaxation relaxed(domain_, *method_, particles);
+        relaxed.run(*monitor_);
+        nParticleIterations_ += relaxed.nParticleIterations();
 
         if (repair.check())
         {
             return;
         }
+        if (!method_->repair())
+        {
+            Info<< "Left as relaxed: ";
+            repair.report(Info);
+            return;
+        }
         if (round < maxRepairs)
         {
+            Info<< "Repaired: ";
             repair.report(Info);
             repair.repair();
         }
@@ -431,7 +441,16 @@ void Foam::SPH::particleGenerator::generate()
             method_->maxIterations()
         )
     );
+    const cpuTime clock;
     relaxAndRepair(particles);
+    const scalar seconds = clock.elapsedCpuTime();
+    Info<< "Kinetic energy of the first layer at first: "
+        << monitor_->firstEnergy() << nl
+        << "Relaxed in " << monitor_->history().size() << " iterations, "
+        << nParticleIterations_ << " particle iterations, "
+        << seconds << " s CPU, "
+        << 1e6*seconds/max(nParticleIterations_, scalar(1))
+        << " us per particle iteration" << endl;
 
     const fileName directory
     (

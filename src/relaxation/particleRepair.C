@@ -9,6 +9,7 @@ License
 
 #include "particleRepair.H"
 #include "mathematicalConstants.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -91,7 +92,7 @@ void Foam::SPH::particleRepair::removeClose()
         gridPtr_->forNear
         (
             points_[i],
-            R,
+            [R](const scalar) { return R; },
             [&](const label j)
             {
                 const label k = particles_.origin(j);
@@ -152,7 +153,7 @@ void Foam::SPH::particleRepair::fillVoids()
             gridPtr_->forNear
             (
                 p,
-                R,
+                [R](const scalar) { return R; },
                 [&](const label j)
                 {
                     // Fixed points are no particles; near a surface the
@@ -209,7 +210,7 @@ void Foam::SPH::particleRepair::fillVoids()
 bool Foam::SPH::particleRepair::check()
 {
     points_ = particles_.positions();
-    gridPtr_.reset(new cellGrid(points_, min(particles_.spacing)));
+    gridPtr_.reset(new cellGridLevels(points_, particles_.spacing, 1));
     removed_.setSize(particles_.nParticles());
     removed_ = false;
     added_.clear();
@@ -260,20 +261,20 @@ void Foam::SPH::particleRepair::repair()
 
 void Foam::SPH::particleRepair::report(Ostream& os) const
 {
-    os  << "Particles removed on or outside surfaces: " << nOutside_
-        << ", closer than " << closest_ << " dp to another: " << nClose_
-        << "; voids filled: " << nVoids_ << endl;
+    os  << nOutside_ << " particles on or outside the surface, " << nClose_
+        << " pairs closer than " << closest_ << " dp, " << nVoids_
+        << " voids, one of them at " << example_ << endl;
 }
 
 
 void Foam::SPH::particleRepair::fail() const
 {
+    OStringStream found;
+    report(found);
+
     FatalErrorInFunction
-        << "No valid particle set was found: " << nOutside_
-        << " particles on or outside the surface, " << nClose_
-        << " pairs closer than " << closest_ << " dp, " << nVoids_
-        << " voids, one of them at " << example_
-        << ". Refine the entry spacing of sphMeshDict there, or allow more"
+        << "No valid particle set was found: " << found.str().c_str()
+        << "Refine the entry spacing of sphMeshDict there, or allow more"
         << " iterations in its dictionary relaxation" << exit(FatalError);
 }
 

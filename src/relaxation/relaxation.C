@@ -20,8 +20,10 @@ void Foam::SPH::relaxation::resetList()
     {
         for (const DynamicList<label>& targets : targets_)
         {
-            for (const label i : targets)
+            #pragma omp parallel for schedule(dynamic, 256)
+            for (label t = 0; t < targets.size(); ++t)
             {
+                const label i = targets[t];
                 particles_.setSpacing
                 (
                     i, domain_.spacingAt(particles_.position(i))
@@ -31,13 +33,12 @@ void Foam::SPH::relaxation::resetList()
     }
 
     const scalar maxSpacing = max(particles_.spacing);
-    const scalar skin = method_.skin()*min(particles_.spacing);
 
     particles_.makeImages
     (
         domain_.low,
         domain_.high,
-        domain_.support(0, maxSpacing) + skin
+        domain_.support(0, maxSpacing) + method_.skin()*maxSpacing
     );
 
     // Roles of fixed points are those of their body plus the number of bodies
@@ -62,12 +63,19 @@ void Foam::SPH::relaxation::resetList()
     }
     const scalar ratio = largest/smallest*(domain_.uniform() ? 1 : 1.4);
 
-    list_.reset(particles_.positions(), std::move(radius), ratio, skin);
+    list_.reset
+    (
+        particles_.positions(),
+        std::move(radius),
+        ratio,
+        method_.skin()/domain_.W.cutOff()/largest
+    );
 }
 
 
 bool Foam::SPH::relaxation::outOfSkin() const
 {
+    // Largest way since the reset over the skin
     scalar largest = 0;
 
     for (const DynamicList<label>& targets : targets_)
@@ -80,12 +88,15 @@ bool Foam::SPH::relaxation::outOfSkin() const
             largest = max
             (
                 largest,
-                magSqr(particles_.position(i) - list_.resetPoint(i))
+                magSqr
+                (
+                    (particles_.position(i) - list_.resetPoint(i))/list_.skin(i)
+                )
             );
         }
     }
 
-    return largest > sqr(0.5*list_.skin());
+    return largest > sqr(scalar(0.5));
 }
 
 
@@ -168,8 +179,16 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
     {
         uphill += sums_[t] & lastStep_[targets[t]];
     }
-    const scalar unboundedBand =
-        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi) : 0;
+
+    // Nearer than this to the surface (over dp) a particle is held: it is not
+    // free to go where it is drawn to
+    const scalar holding =
+        method_.boundingDistance(bodyi, false) < 0 ? method_.band(bodyi)
+      : (1 - 1e-6)*min
+        (
+            method_.boundingDistance(bodyi, false),
+            method_.boundingDistance(bodyi, bodyi == 0)
+        );
     const scalar momentum = uphill > 0 ? 0 : method_.momentum();
 
     #pragma omp parallel for schedule(dynamic, 256) if (targets.size() > 2048)
@@ -190,7 +209,7 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         const bool held =
             mag(moved - dr) > 1e-9*dp
          || -particles_.phi[i] - particles_.drift[i]
-          < unboundedBand*dp;
+          < holding*dp;
         residual_[i] =
             held
           ? min(force_[i], 0.5*mag(moved + lastStep_[i])/(step*dp))
@@ -398,7 +417,7 @@ void Foam::SPH::relaxation::run(convergenceMonitor& monitor)
 
         if (monitor.logs(iteration))
         {
-            monitor.log(Info(), nActive());
+            monitor.log(Info(), nActive(), last);
         }
         if (outOfSkin())
         {

@@ -82,7 +82,7 @@ void Foam::SPH::relaxation::markMovers()
                 list_.forNear
                 (
                     i,
-                    domain_.support(0, particles_.spacing[i]) + list_.skin(),
+                    domain_.support(0, particles_.spacing[i]) + list_.skin(i),
                     [&](const label j)
                     {
                         const label role = particles_.role[j];

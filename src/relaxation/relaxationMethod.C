@@ -38,6 +38,7 @@ Foam::SPH::relaxationMethod::relaxationMethod
     logInterval_(dict.getOrDefault<label>("logInterval", 100)),
     skin_(dict.getOrDefault<scalar>("skin", 0.3)),
     freeze_(dict.getOrDefault<bool>("freeze", true)),
+    repair_(dict.getOrDefault<bool>("repair", true)),
     domain_(domain),
     stableStep_(domain.bodies.size())
 {

@@ -93,14 +93,15 @@ Foam::scalar Foam::SPH::viscousInertialRelaxation::displacements
         largest = max(largest, mag(acceleration[t])*dp);
     }
 
-    // dt/dp: the limit of [R] eq. 5, a tenth of the period of the stiffest
-    // mode, and the decay time of its velocity
+    // dt/dp: as far as gradient descent from rest, a quarter of what the
+    // stiffest mode bears without growing faster than friction damps it, and
+    // the decay time of its velocity
     const scalar dt = min
     (
-        0.25*sqrt(ratio/largest),
+        sqrt(stepLength()*ratio/largest),
         min
         (
-            0.5*sqrt(stableStep_[bodyi]),
+            0.25*sqrt(stableStep_[bodyi]),
             0.5*stableStep_[bodyi]/viscosity_
         )
     );

@@ -420,7 +420,10 @@ TEST(Relaxation, skinAndFreezingDoNotChangeTheEquilibrium)
 
     ASSERT_EQ(skin.size(), reference.size());
     ASSERT_EQ(freeze.size(), reference.size());
-    EXPECT_LT(max(mag(skin - reference))/0.1, 1e-6);
+
+    // Round-off may turn a step at a surface, after which the ways differ: what
+    // is the same is the equilibrium, within the tolerance
+    EXPECT_LT(max(mag(skin - reference))/0.1, 1e-4);
     EXPECT_LT(max(mag(freeze - reference))/0.1, 0.05);
 }
 

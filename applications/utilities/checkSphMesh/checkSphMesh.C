@@ -22,14 +22,23 @@ Usage
         Write particles of fluid and solids, boundary surface vectors and the
         area vectors of the FVM faces as VTK PolyData beside quality.csv
 
+      - \par -picture
+        Draw the particles with their kernel gradient sums in particles.png
+        beside quality.csv
+
+      - \par -view "(xMin yMin zMin) (xMax yMax zMax)"
+        Draw this part of them
+
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
 #include "meshQuality.H"
 #include "meshQualityVtp.H"
 #include "patchSurface.H"
+#include "qualityPicture.H"
 #include "solidParticles.H"
 #include "surfaceDistance.H"
+#include "virtualDisplay.H"
 
 using namespace Foam;
 
@@ -40,6 +49,8 @@ int main(int argc, char *argv[])
     argList::addNote("Check the quality of a particle mesh");
     argList::noParallel();
     argList::addBoolOption("writeVTK", "Write particles and surface vectors");
+    argList::addBoolOption("picture", "Draw the particles");
+    argList::addOption("view", "boundBox", "Part of the particles to draw");
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -73,6 +84,26 @@ int main(int argc, char *argv[])
     if (args.found("writeVTK"))
     {
         SPH::writeMeshQualityVtp(particles, solids, quality, folder);
+    }
+    if (args.found("picture") || args.found("view"))
+    {
+        const SPH::virtualDisplay display;
+        if (SPH::virtualDisplay::available())
+        {
+            SPH::writeQualityPicture
+            (
+                particles,
+                quality,
+                args.getOrDefault<boundBox>("view", mesh.bounds()),
+                folder/"particles.png"
+            );
+        }
+        else
+        {
+            WarningInFunction
+                << "No picture: it needs an X server, or Xvfb to start one"
+                << endl;
+        }
     }
 
     Info<< nl << "Written to " << folder << nl << nl << "End" << nl << endl;

@@ -44,7 +44,8 @@ void Foam::SPH::particleSurroundings::addPairs
             return;
         }
 
-        const scalar r = mag(delta);
+        // Two particles in one place exert no force on each other
+        const scalar r = mag(delta) + VSMALL;
         const scalar hi = smoothingRatios[body_[i]]*spacing_[i];
         const scalar hj = smoothingRatios[body_[i]]*spacing_[j];
         const scalar VW = 0.5*volume[j]*(W.W(r, hi) + W.W(r, hj));

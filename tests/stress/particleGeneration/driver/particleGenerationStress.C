@@ -97,12 +97,18 @@ static std::string findFaults
         faults << " particles too close";
     }
 
+    // In a notch narrower than a particle no particle is missing: it would
+    // have to be nearer to a surface than others are to each other
+    const scalar depth = 0.4*min(dp);
     const scalar radius = largestVoid
     (
         space.nDims(),
         x,
         dp,
-        [&](const vector& p) { return fluid.inside(space.position(p)); }
+        [&](const vector& p)
+        {
+            return fluid.distance(space.position(p)) < -depth;
+        }
     );
     widest = radius;
     if (radius >= 1)

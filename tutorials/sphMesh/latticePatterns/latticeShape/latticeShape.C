@@ -95,8 +95,8 @@ static vector latticeVector
     const scalar tolerance
 )
 {
-    vector plus(vector::max);
-    vector minus(vector::max);
+    vector plus(vector::one*GREAT);
+    vector minus(vector::one*GREAT);
     for (const vector& s : found)
     {
         plus = magSqr(s - r) < magSqr(plus - r) ? s : plus;

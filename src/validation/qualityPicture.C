@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "qualityPicture.H"
+#include "fieldPicture.H"
+#include "mathematicalConstants.H"
+#include "meshSlice.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Corners of a regular polygon whose inner circle has the given diameter
+    static void addPolygon
+    (
+        const label nCorners,
+        const point& centre,
+        const scalar diameter,
+        DynamicList<point>& points,
+        DynamicList<face>& polygons
+    )
+    {
+        using constant::mathematical::pi;
+
+        const scalar radius = 0.5*diameter/Foam::cos(pi/nCorners);
+
+        polygons.append(face(identity(nCorners, points.size())));
+        for (label corner = 0; corner < nCorners; ++corner)
+        {
+            const scalar angle = (2*corner + 1)*pi/nCorners;
+            points.append
+            (
+                centre + radius*vector(Foam::cos(angle), Foam::sin(angle), 0)
+            );
+        }
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::writeQualityPicture
+(
+    const sphMesh& particles,
+    const meshQuality& quality,
+    const boundBox& view,
+    const fileName& file
+)
+{
+    const solutionSpace& space = particles.space();
+    vector normal(Zero);
+    normal[space.nDims() == 3 ? 2 : space.axis(2)] = 1;
+    const meshSlice slice(particles.mesh(), view.midpoint(), normal);
+
+    const point a(slice.toPlane(view.min()));
+    const point b(slice.toPlane(view.max()));
+    const boundBox box(min(a, b), max(a, b));
+
+    const particleSurroundings& all = quality.surroundings();
+    const scalarField gradientSum(quality.kernelGradientSum());
+
+    DynamicList<point> points;
+    DynamicList<face> polygons;
+    DynamicList<scalar> values;
+    forAll(gradientSum, i)
+    {
+        const scalar dp = all.spacing()[i];
+        const point p(space.position(all.points()[i]));
+        const point centre(slice.toPlane(p));
+        if
+        (
+            (space.nDims() == 3 && mag(slice.distance(p)) > 0.5*dp)
+         || centre.x() < box.min().x() || centre.x() > box.max().x()
+         || centre.y() < box.min().y() || centre.y() > box.max().y()
+        )
+        {
+            continue;
+        }
+
+        const bool solid = all.body()[i] > 0;
+        addPolygon(solid ? 4 : 12, centre, 0.95*dp, points, polygons);
+        values.append(Foam::log10(max(gradientSum[i], VSMALL)));
+    }
+
+    const pointField corners(points);
+    const faceList shapes(polygons);
+    fieldPicture picture
+    (
+        "Particles of fluid (discs) and solids (squares)",
+        box,
+        slice.rightName() + " [m]",
+        slice.upName() + " [m]",
+        {{"log10 |sum V gradW| dp", -5, 0, colourMap::sequential}}
+    );
+    picture.add({"", corners, shapes, scalarField(values), 0, 0, false});
+    picture.write(file);
+}
+
+
+// ************************************************************************* //
