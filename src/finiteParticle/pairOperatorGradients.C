@@ -122,9 +122,6 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
     const label end = pairs_.start(slice + 1);
     const int* neighbour = pairs_.neighbour();
 
-    // Quotients of differences below round-off are harmless
-    constexpr scalar tiny = 1e-300;
-
     for (int v = 0; v < nVars; ++v)
     {
         const scalar* W = W_[v];
@@ -166,15 +163,12 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
                 }
                 halfStep *= neighbour[e] > i0 + lane ? 0.5 : -0.5;
 
-                const scalar bound =
-                    halfStep > 0 ? highest[lane] : -lowest[lane];
-                const scalar size = halfStep > 0 ? halfStep : -halfStep;
-                const scalar allowed = bound/(size + tiny);
-
+                const scalar allowed = limiters::barthJespersen
+                (
+                    halfStep, lowest[lane], highest[lane]
+                );
                 limiter[lane] =
-                    size > bound && allowed < limiter[lane]
-                  ? allowed
-                  : limiter[lane];
+                    allowed < limiter[lane] ? allowed : limiter[lane];
             }
         }
 
@@ -189,6 +183,63 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
             }
         }
     }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline Foam::scalar
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::particleLimiter
+(
+    const int v,
+    const label i
+) const
+{
+    const label slice = i/nLanes;
+    const label lane = i - slice*nLanes;
+
+    // Apply to the entries of all pairs of the particle
+    const auto forPairs = [&](const auto& apply)
+    {
+        for
+        (
+            label row = pairs_.start(slice);
+            row < pairs_.start(slice + 1);
+            ++row
+        )
+        {
+            apply(std::size_t(row)*nLanes + lane);
+        }
+    };
+
+    scalar lowest = 0;
+    scalar highest = 0;
+    forPairs([&](const std::size_t e)
+    {
+        const scalar difference = W_[v][pairs_.neighbour()[e]] - W_[v][i];
+        lowest = min(lowest, difference);
+        highest = max(highest, difference);
+    });
+
+    scalar limiter = 1;
+    forPairs([&](const std::size_t e)
+    {
+        vec halfStep;
+        for (int d = 0; d < nDims; ++d)
+        {
+            halfStep[d] =
+                (pairs_.neighbour()[e] > i ? 0.5 : -0.5)*pairs_.delta(d)[e];
+        }
+        limiter = min
+        (
+            limiter,
+            limiters::barthJespersen
+            (
+                increment(v, i, halfStep), lowest, highest
+            )
+        );
+    });
+
+    return limiter;
 }
 
 
