@@ -230,9 +230,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
         vars state(I);
         for (int v = 0; v < nVars; ++v)
         {
-            const scalar limiter =
-                Limiter::limitsPairs ? particleLimiter(v, i) : 1;
-            state[v] += limiter*increment(v, i, x);
+            state[v] += increment(v, i, x);
         }
         return flux_.physical(state) ? state : I;
     }

@@ -188,63 +188,6 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
 
 template<class Flux, class Limiter, bool Viscous>
 inline Foam::scalar
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::particleLimiter
-(
-    const int v,
-    const label i
-) const
-{
-    const label slice = i/nLanes;
-    const label lane = i - slice*nLanes;
-
-    // Apply to the entries of all pairs of the particle
-    const auto forPairs = [&](const auto& apply)
-    {
-        for
-        (
-            label row = pairs_.start(slice);
-            row < pairs_.start(slice + 1);
-            ++row
-        )
-        {
-            apply(std::size_t(row)*nLanes + lane);
-        }
-    };
-
-    scalar lowest = 0;
-    scalar highest = 0;
-    forPairs([&](const std::size_t e)
-    {
-        const scalar difference = W_[v][pairs_.neighbour()[e]] - W_[v][i];
-        lowest = min(lowest, difference);
-        highest = max(highest, difference);
-    });
-
-    scalar limiter = 1;
-    forPairs([&](const std::size_t e)
-    {
-        vec halfStep;
-        for (int d = 0; d < nDims; ++d)
-        {
-            halfStep[d] =
-                (pairs_.neighbour()[e] > i ? 0.5 : -0.5)*pairs_.delta(d)[e];
-        }
-        limiter = min
-        (
-            limiter,
-            limiters::barthJespersen
-            (
-                increment(v, i, halfStep), lowest, highest
-            )
-        );
-    });
-
-    return limiter;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline Foam::scalar
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::increment
 (
     const int v,
