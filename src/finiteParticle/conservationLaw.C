@@ -115,7 +115,9 @@ Foam::SPH::conservationLaw::conservationLaw
     Q0_(nVariables, pairs_.nSlices()),
     W_(nVariables, pairs_.nSlices()),
     R_(nVariables, pairs_.nSlices()),
-    nFallbacks_(0)
+    nFallbacks_(0),
+    failed_(particles_.nParticles(), false),
+    firstOrder_(particles_.nParticles(), false)
 {
     setGeometry();
 }
@@ -219,6 +221,55 @@ Foam::label Foam::SPH::conservationLaw::nFallbacks()
 void Foam::SPH::conservationLaw::store()
 {
     Q0_ = Q_;
+}
+
+
+Foam::label Foam::SPH::conservationLaw::dropReconstruction()
+{
+    const label nBefore = firstOrders_.size();
+
+    const auto drop = [&](const label i)
+    {
+        if (!firstOrder_[i])
+        {
+            firstOrder_[i] = true;
+            firstOrders_.append(i);
+        }
+    };
+
+    forAll(failed_, i)
+    {
+        if (failed_[i])
+        {
+            drop(i);
+        }
+    }
+    forAll(particles_.owner(), pairi)
+    {
+        const label i = particles_.owner()[pairi];
+        const label j = particles_.neighbour()[pairi];
+        if (failed_[i])
+        {
+            drop(j);
+        }
+        if (failed_[j])
+        {
+            drop(i);
+        }
+    }
+    failed_ = false;
+
+    return firstOrders_.size() - nBefore;
+}
+
+
+void Foam::SPH::conservationLaw::resumeReconstruction()
+{
+    for (const label i : firstOrders_)
+    {
+        firstOrder_[i] = false;
+    }
+    firstOrders_.clear();
 }
 
 

@@ -165,6 +165,15 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
                     limitGradients(slice);
                 }
             }
+
+            #pragma omp for
+            for (label k = 0; k < firstOrders_.size(); ++k)
+            {
+                for (label c = 0; c < G_.nComponents(); ++c)
+                {
+                    G_[c][firstOrders_[k]] = 0;
+                }
+            }
         }
 
         #pragma omp for
@@ -210,10 +219,19 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
 
         const vars W(flux.primitive(load(Q_, i)));
         save(W, W_, i);
-        admissible = admissible && flux.admissible(W);
+        failed_[i] = !flux.admissible(W);
+        admissible = admissible && !failed_[i];
     }
 
     return admissible;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+Foam::label
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::dropReconstruction()
+{
+    return Limiter::linear ? conservationLaw::dropReconstruction() : 0;
 }
 
 

@@ -216,6 +216,11 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
 
     if constexpr (Limiter::linear)
     {
+        if (Limiter::limitsPairs && faces_.type(facei) == faceStates::open)
+        {
+            return I;
+        }
+
         vec x;
         for (int d = 0; d < nDims; ++d)
         {
@@ -225,7 +230,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
         vars state(I);
         for (int v = 0; v < nVars; ++v)
         {
-            state[v] += Limiter::boundaryIncrement(increment(v, i, x));
+            state[v] += increment(v, i, x);
         }
         return flux_.physical(state) ? state : I;
     }

@@ -122,9 +122,6 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
     const label end = pairs_.start(slice + 1);
     const int* neighbour = pairs_.neighbour();
 
-    // Quotients of differences below round-off are harmless
-    constexpr scalar tiny = 1e-300;
-
     for (int v = 0; v < nVars; ++v)
     {
         const scalar* W = W_[v];
@@ -166,15 +163,12 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
                 }
                 halfStep *= neighbour[e] > i0 + lane ? 0.5 : -0.5;
 
-                const scalar bound =
-                    halfStep > 0 ? highest[lane] : -lowest[lane];
-                const scalar size = halfStep > 0 ? halfStep : -halfStep;
-                const scalar allowed = bound/(size + tiny);
-
+                const scalar allowed = limiters::barthJespersen
+                (
+                    halfStep, lowest[lane], highest[lane]
+                );
                 limiter[lane] =
-                    size > bound && allowed < limiter[lane]
-                  ? allowed
-                  : limiter[lane];
+                    allowed < limiter[lane] ? allowed : limiter[lane];
             }
         }
 

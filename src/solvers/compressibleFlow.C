@@ -34,6 +34,7 @@ Foam::SPH::compressibleFlow::initialState() const
         W[1 + d] = U.component(particles_.space().axis(d));
     }
     W[1 + nDims] = toParticles.map(p_);
+    keepJumps(W);
 
     for (const label v : {label(0), 1 + nDims})
     {
@@ -47,6 +48,32 @@ Foam::SPH::compressibleFlow::initialState() const
     }
 
     return W;
+}
+
+
+void Foam::SPH::compressibleFlow::keepJumps(List<scalarField>& W) const
+{
+    // Of a cell's value: more than smooth fields change over half a cell
+    constexpr scalar jump = 0.1;
+
+    const label nDims = loopDims(particles_);
+    const labelList& cells = particles_.cells();
+
+    forAll(cells, i)
+    {
+        const scalar T = T_[cells[i]];
+        const scalar p = p_[cells[i]];
+
+        if (mag(W[0][i] - T) > jump*T || mag(W[1 + nDims][i] - p) > jump*p)
+        {
+            W[0][i] = T;
+            for (label d = 0; d < nDims; ++d)
+            {
+                W[1 + d][i] = U_[cells[i]][particles_.space().axis(d)];
+            }
+            W[1 + nDims][i] = p;
+        }
+    }
 }
 
 

@@ -37,11 +37,19 @@ void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
 {
     constexpr label maxHalvings = 8;
 
-    if (timeScheme_->advance(*law_, *faces_, dt))
+    label nDropped = 0;
+    do
     {
-        faces_->follow(law_->W(), dt);
-        return;
+        if (timeScheme_->advance(*law_, *faces_, dt))
+        {
+            faces_->follow(law_->W(), dt);
+            law_->resumeReconstruction();
+            return;
+        }
+        nDropped = law_->dropReconstruction();
+        nDropped_ += nDropped;
     }
+    while (nDropped);
 
     if (nHalvings == maxHalvings)
     {
@@ -184,6 +192,7 @@ Foam::SPH::flowSolver::flowSolver
             [](const scalar maxCo) { return maxCo > 0; }
         )
     ),
+    nDropped_(0),
     nHalved_(0)
 {
     if (Pstream::parRun())
@@ -252,10 +261,12 @@ void Foam::SPH::flowSolver::advance()
     }
 
     const label nFallbacks = law_->nFallbacks();
-    if (nFallbacks || nHalved_)
+    if (nFallbacks || nDropped_ || nHalved_)
     {
         Info<< "Positivity: " << nFallbacks << " reconstructions of first"
-            << " order, " << nHalved_ << " steps halved" << endl;
+            << " order, " << nDropped_ << " particles of first order, "
+            << nHalved_ << " steps halved" << endl;
+        nDropped_ = 0;
         nHalved_ = 0;
     }
 
