@@ -12,7 +12,11 @@ Description
 
 #include "pairMultigrid.H"
 
+// The AVX-512 headers of gcc 12 leave values undefined on purpose
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <Eigen/Dense>
+#pragma GCC diagnostic pop
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
