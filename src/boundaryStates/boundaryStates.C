@@ -238,7 +238,10 @@ void Foam::SPH::boundaryStates::info(Ostream& os) const
         {
             os  << "    " << patch.name() << ": "
                 << names[treatment_[patch.start()]] << ", "
-                << patch.size() << " boundary faces"
+                << patch.size()
+                << (contact(patch.start())
+                    ? " pairs with solid particles"
+                    : " boundary faces")
                 << (evaluatedPatches_.found(patch.index())
                     ? ", evaluated at each stage"
                     : "")

@@ -86,6 +86,16 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const treatment type = patchTreatment(patchi, viscous);
 
+        if (type == open && patch.size() && contact(patch.start()))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " has solid particles behind"
+                << " it, which boundaryTreatment contact makes a wall of, but "
+                << U_.name() << " has a boundary condition of type "
+                << Up.type() << " there: it needs that of a wall"
+                << exit(FatalError);
+        }
+
         bool evaluate =
             type != slip && !isGiven(Up) && !isOwn(Up);
 

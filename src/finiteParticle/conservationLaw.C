@@ -64,7 +64,7 @@ void Foam::SPH::conservationLaw::setGeometry()
         {
             residual[i] += faces_.magSf()[facei]*faces_.n()[facei];
             diffusionWeight_[0][i] +=
-                2*faces_.magSf()[facei]/faces_.distance()[facei];
+                2*faces_.magSf()[facei]/mag(faces_.distance()[facei]);
         }
     }
 

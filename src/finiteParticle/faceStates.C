@@ -25,6 +25,7 @@ Foam::SPH::faceStates::faceStates
     n_(treatment_.size()),
     relative_(treatment_.size()),
     magSf_(treatment_.size()),
+    wallNormal_(particles.boundary().faces().wallNormal.size()),
     pressureForce_(treatment_.size(), Zero),
     viscousForce_(treatment_.size(), Zero),
     massFlux_(treatment_.size(), Zero)
@@ -47,6 +48,12 @@ Foam::SPH::faceStates::faceStates
         (
             faces.Cf[facei] - particles.C()[faces.owner[facei]]
         );
+    }
+
+    forAll(wallNormal_, facei)
+    {
+        wallNormal_[facei] =
+            particles.space().toLocal(faces.wallNormal[facei]);
     }
 
     labelList nFaces(particles.nParticles(), Zero);

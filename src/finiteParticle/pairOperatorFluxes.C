@@ -242,6 +242,51 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
 
 
 template<class Flux, class Limiter, bool Viscous>
+inline typename Flux::faceFlux
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::reflectedFlux
+(
+    const vars& L,
+    const vars& wall,
+    const vars& I,
+    const vec& n,
+    const label facei
+) const
+{
+    if (!faces_.contact(facei))
+    {
+        return flux_.wallFlux(L, wall, I, n);
+    }
+
+    // The solid particle's state: velocity reversed relative to a no-slip
+    // wall, reflected by a slip wall, all else equal
+    vars solid(L);
+    if (faces_.type(facei) == faceStates::noSlip)
+    {
+        for (int d = 1; d <= nDims; ++d)
+        {
+            solid[d] = 2*wall[d] - L[d];
+        }
+    }
+    else
+    {
+        vec wallNormal;
+        for (int d = 0; d < nDims; ++d)
+        {
+            wallNormal[d] = faces_.wallNormal(facei)[d];
+        }
+        const scalar through =
+            normalVelocity(L, wallNormal) - normalVelocity(wall, wallNormal);
+        for (int d = 0; d < nDims; ++d)
+        {
+            solid[1 + d] -= 2*through*wallNormal[d];
+        }
+    }
+
+    return flux_.totalFlux(flux_.pairFlux(L, solid, I, n), I, n);
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 inline typename Flux::vars
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
 (
@@ -264,7 +309,9 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
 
             if constexpr (Limiter::linear)
             {
-                if (wall && quadraticWall_)
+                // A contact pair does not end at the wall: its gradient is
+                // the difference of two particles
+                if (wall && quadraticWall_ && !faces_.contact(facei))
                 {
                     normalGradient[v] =
                         2*normalGradient[v] - increment(v, i, n);
@@ -315,7 +362,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
         (
             type == faceStates::open
           ? flux_.openFlux(L, absorbing, I, n)
-          : flux_.wallFlux(L, outer, I, n)
+          : reflectedFlux(L, outer, I, n, facei)
         );
 
         vars viscous(vars::zero());

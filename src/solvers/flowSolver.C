@@ -180,18 +180,7 @@ Foam::SPH::flowSolver::flowSolver
     ),
     runTime_(runTime),
     particles_(particles),
-    schemes_
-    (
-        IOobject
-        (
-            "sphSchemes",
-            runTime.system(),
-            runTime,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    ),
+    schemes_(schemesIO(runTime)),
     store_(particles),
     timeScheme_(timeScheme::New(schemes_)),
     maxCo_
@@ -206,26 +195,6 @@ Foam::SPH::flowSolver::flowSolver
     nDropped_(0),
     nHalved_(0)
 {
-    const word treatment
-    (
-        schemes_.getOrDefault<word>("boundaryTreatment", "surfaceVector")
-    );
-
-    if (treatment == "contact")
-    {
-        FatalIOErrorInFunction(schemes_)
-            << "boundaryTreatment contact needs a particle mesh with contact"
-            << " particles, which " << sphMesh::directory(particles.mesh())
-            << " has not" << exit(FatalIOError);
-    }
-    else if (treatment != "surfaceVector")
-    {
-        FatalIOErrorInFunction(schemes_)
-            << "Unknown boundaryTreatment " << treatment << nl << nl
-            << "Valid choices:" << nl << wordList({"surfaceVector", "contact"})
-            << exit(FatalIOError);
-    }
-
     if (Pstream::parRun())
     {
         FatalErrorInFunction
@@ -236,6 +205,20 @@ Foam::SPH::flowSolver::flowSolver
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::SPH::flowSolver::schemesIO(const Time& runTime)
+{
+    return IOobject
+    (
+        "sphSchemes",
+        runTime.system(),
+        runTime,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
 
 void Foam::SPH::flowSolver::setDeltaT()
 {

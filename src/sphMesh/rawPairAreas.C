@@ -31,6 +31,27 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
 }
 
 
+Foam::vector Foam::SPH::rawPairArea
+(
+    const solutionSpace& space,
+    const kernel& W,
+    const scalar Vi,
+    const scalar Vj,
+    const scalar spacingi,
+    const scalar spacingj,
+    const vector& delta
+)
+{
+    const scalar r = mag(delta);
+    const scalar hi = W.smoothingRatio()*spacingi;
+    const scalar hj = W.smoothingRatio()*spacingj;
+    const scalar slope =
+        hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
+
+    return -2*Vi*Vj/space.thickness()*slope/r*delta;
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
 (
     const solutionSpace& space,
@@ -46,13 +67,17 @@ Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
     {
         const label i = data.owner[pairi];
         const label j = data.neighbour[pairi];
-        const scalar r = mag(data.delta[pairi]);
-        const scalar hi = W.smoothingRatio()*data.spacing[i];
-        const scalar hj = W.smoothingRatio()*data.spacing[j];
-        const scalar slope =
-            hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
 
-        Sf[pairi] = -2*V[i]*V[j]/space.thickness()*slope/r*data.delta[pairi];
+        Sf[pairi] = rawPairArea
+        (
+            space,
+            W,
+            V[i],
+            V[j],
+            data.spacing[i],
+            data.spacing[j],
+            data.delta[pairi]
+        );
     }
 
     return tSf;

@@ -43,7 +43,11 @@ void Foam::SPH::sphMesh::check() const
      && faces.Sf.size() == faces.owner.size()
      && faces.Cf.size() == faces.owner.size()
      && faces.distance.size() == faces.owner.size()
-     && faces.face.size() == faces.owner.size();
+     && faces.face.size() == faces.owner.size()
+     && (
+            faces.wallNormal.empty()
+         || faces.wallNormal.size() == faces.owner.size()
+        );
 
     const bool inRange =
         (nP == 0 || (min(data_.owner) >= 0 && max(data_.neighbour) < n))

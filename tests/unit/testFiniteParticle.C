@@ -7,6 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "givenStates.H"
 #include "testCase.H"
 #include "conservationLaw.H"
 #include "gradientWeights.H"
@@ -34,31 +35,6 @@ const perfectGasFluid viscousAir{1.4, 287, 1.8e-5, 0, 0, 1005/0.7};
 const weaklyCompressibleFluid water{10, 0.01};
 
 constexpr label nSide = 12;
-
-
-//- Boundary faces whose values a test sets
-class givenStates
-:
-    public faceStates
-{
-public:
-
-    givenStates(const sphMesh& particles, const label nVariables)
-    :
-        faceStates(particles, nVariables)
-    {}
-
-    void set(const label variable, const scalar value)
-    {
-        value_[variable] = value;
-        fixed_[variable] = true;
-    }
-
-    void setTreatment(const treatment type)
-    {
-        treatment_ = type;
-    }
-};
 
 
 //- Square particles of a unit square, 0.1 thick. Pairs over the sides have the

@@ -17,6 +17,7 @@ Description
 
 #include "fvCFD.H"
 #include "compressibleFlow.H"
+#include "treatedParticleMesh.H"
 
 int main(int argc, char *argv[])
 {
@@ -34,9 +35,9 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     Info<< "Reading particle mesh\n" << endl;
-    const SPH::sphMesh particles(mesh);
+    const autoPtr<SPH::sphMesh> particles(SPH::treatedParticleMesh(mesh));
 
-    SPH::compressibleFlow flow(runTime, particles);
+    SPH::compressibleFlow flow(runTime, *particles);
 
     Info<< "Starting time loop\n" << endl;
 

@@ -17,6 +17,7 @@ Description
 
 #include "fvCFD.H"
 #include "weaklyCompressibleFlow.H"
+#include "treatedParticleMesh.H"
 
 int main(int argc, char *argv[])
 {
@@ -34,9 +35,9 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     Info<< "Reading particle mesh\n" << endl;
-    const SPH::sphMesh particles(mesh);
+    const autoPtr<SPH::sphMesh> particles(SPH::treatedParticleMesh(mesh));
 
-    SPH::weaklyCompressibleFlow flow(runTime, particles);
+    SPH::weaklyCompressibleFlow flow(runTime, *particles);
 
     Info<< "Starting time loop\n" << endl;
 
