@@ -73,10 +73,37 @@ Foam::scalar Foam::SPH::kernel::normalisation(const label nDims) const
 }
 
 
+Foam::scalar Foam::SPH::kernel::squareLatticeMoment() const
+{
+    const label n = ceil(support(1));
+    const label nY = nDims_ > 1 ? n : 0;
+    const label nZ = nDims_ > 2 ? n : 0;
+
+    scalar moment = 0;
+    for (label x = -n; x <= n; ++x)
+    {
+        for (label y = -nY; y <= nY; ++y)
+        {
+            for (label z = -nZ; z <= nZ; ++z)
+            {
+                const scalar r = mag(vector(x, y, z));
+                if (r > 0)
+                {
+                    moment -= r*dWdr(r, smoothingRatio_)/nDims_;
+                }
+            }
+        }
+    }
+
+    return moment;
+}
+
+
 void Foam::SPH::kernel::normalise()
 {
     sigma_ = normalisation(nDims_);
     sigmaLine_ = normalisation(1);
+    latticeMoment_ = squareLatticeMoment();
 }
 
 
@@ -87,7 +114,8 @@ Foam::SPH::kernel::kernel(const dictionary& dict, const label nDims)
     nDims_(nDims),
     smoothingRatio_(dict.lookupOrDefault<scalar>("smoothingRatio", 1.3)),
     sigma_(0),
-    sigmaLine_(0)
+    sigmaLine_(0),
+    latticeMoment_(0)
 {
     if (smoothingRatio_ < 0.7 || smoothingRatio_ > 4)
     {

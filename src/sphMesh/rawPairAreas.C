@@ -48,7 +48,8 @@ Foam::vector Foam::SPH::rawPairArea
     const scalar slope =
         hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
 
-    return -2*Vi*Vj/space.thickness()*slope/r*delta;
+    return
+        -2*Vi*Vj/space.thickness()*slope/(r*W.latticeMoment())*delta;
 }
 
 

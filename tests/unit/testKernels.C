@@ -242,6 +242,36 @@ INSTANTIATE_TEST_SUITE_P
 );
 
 
+// w' = -5 q (1 - q/2)^3 with sigma = 7/(4 pi) in 2-D, summed over a quadrant
+TEST(Kernel, latticeMomentOfWendlandIsTheSumOverTheLattice)
+{
+    for (const scalar h : {1.1, 1.3, 1.6})
+    {
+        scalar moment = 0;
+        for (label x = 1; x < 2*h; ++x)
+        {
+            for (label y = 0; y < 2*h; ++y)
+            {
+                // (x, y) and its three turns by a right angle
+                const scalar q = std::hypot(x, y)/h;
+                if (q < 2)
+                {
+                    moment +=
+                        4*7/(4*M_PI*h*h*h)
+                       *5*q*std::pow(1 - q/2, 3)*q*h/2;
+                }
+            }
+        }
+        EXPECT_NEAR
+        (
+            makeKernel("WendlandC2", 2, h)->latticeMoment(), moment, 1e-9
+        );
+    }
+
+    EXPECT_NEAR(makeKernel("WendlandC2", 2)->latticeMoment(), 0.974, 5e-4);
+}
+
+
 TEST(Kernel, defaultsAreWendlandC2AndOnePointThree)
 {
     const autoPtr<kernel> W(kernel::New(dictionary(), 2));

@@ -140,13 +140,14 @@ TEST_P(Closure, rawAreasAreThoseOfTheKernel)
         const label j = m->neighbour()[k];
         const vector& d = m->delta()[k];
 
-        // 2 V_i V_j dW/dr by differences, pointing from i to j
+        // 2 V_i V_j dW/dr by differences over the lattice moment, from i to j
         const scalar r = mag(d);
         const scalar slope =
             (m->W().W(r + step, h) - m->W().W(r - step, h))/(2*step);
         const vector A
         (
             -2*m->V()[i]*m->V()[j]/m->space().thickness()*slope*d/r
+           /m->W().latticeMoment()
         );
 
         EXPECT_LT(i, j);
