@@ -30,8 +30,9 @@ std::string Foam::SPH::virtualDisplay::start()
 
     const std::string writeEnd(std::to_string(ends[1]));
 
-    // A number of our own instead of the lowest free one: a server that ends
-    // removes its socket by name, even if another one has just taken it over
+    // Without a reset when the last client leaves: the next one would come too
+    // early. A number of our own instead of the lowest free one: a server that
+    // ends removes its socket by name, even if another has just taken it over
     const std::string display(":" + std::to_string(1000 + getpid() % 50000));
 
     server_ = fork();
@@ -50,6 +51,7 @@ std::string Foam::SPH::virtualDisplay::start()
             "-displayfd", writeEnd.c_str(),
             "-screen", "0", "640x480x24",
             "-nolisten", "tcp",
+            "-noreset",
             static_cast<char*>(nullptr)
         );
         _exit(127);
