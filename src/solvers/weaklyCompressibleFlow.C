@@ -181,7 +181,7 @@ void Foam::SPH::weaklyCompressibleFlow::mapFields()
     phi_ = volumeFlux(U_);
 
     // In a closed domain the pressure level is that of FVM's reference cell
-    for (const word& algorithm : {"PISO", "PIMPLE", "SIMPLE"})
+    for (const word algorithm : {"PISO", "PIMPLE", "SIMPLE"})
     {
         const dictionary controls
         (
