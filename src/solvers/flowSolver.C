@@ -272,7 +272,8 @@ void Foam::SPH::flowSolver::advance()
 
     runTime_.alignWriteTime();
 
-    if (runTime_.otherFunctions())
+    // Once, where both function objects and writeTime() need it
+    if (runTime_.otherFunctions() || runTime_.writeTime())
     {
         mapFields();
     }
@@ -282,7 +283,6 @@ void Foam::SPH::flowSolver::advance()
 void Foam::SPH::flowSolver::writeTime()
 {
     store_.writePositions();
-    mapFields();
     writeFields();
     store_.purge();
 }
