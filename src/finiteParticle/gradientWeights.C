@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gradientWeights.H"
+#include "bitSet.H"
 
 #include <Eigen/Dense>
 
@@ -93,14 +94,14 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
     const label nDims = loopDims(particles);
     const tensorField moments(pairMoments(particles));
 
-    DynamicList<boolList> members;
+    DynamicList<bitSet> members;
 
     forAll(group_, variable)
     {
-        boolList isFixed(faces.size());
-        forAll(isFixed, facei)
+        bitSet isFixed(faces.size());
+        forAll(faces, facei)
         {
-            isFixed[facei] = faces.fixed(variable, facei);
+            isFixed.set(facei, faces.fixed(variable, facei));
         }
 
         group_[variable] = members.find(isFixed);
@@ -114,14 +115,11 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
     forAll(members, groupi)
     {
         tensorField M(moments);
-        forAll(members[groupi], facei)
+        for (const label facei : members[groupi])
         {
-            if (members[groupi][facei])
-            {
-                M[particles.boundary().faces().owner[facei]] +=
-                    faces.magSf()[facei]
-                   *faces.n()[facei]*faces.relative()[facei];
-            }
+            M[particles.boundary().faces().owner[facei]] +=
+                faces.magSf()[facei]
+               *faces.n()[facei]*faces.relative()[facei];
         }
 
         B_.append

@@ -284,32 +284,6 @@ void Foam::SPH::consistentClosure::close
 {
     data.boundary = mirroredFaces(mesh, space, W, data);
 
-    // Lattice factor of the raw areas, the mean of what should be one
-    {
-        bitSet atBoundary(data.points.size());
-        atBoundary.setMany
-        (
-            data.boundary.owner.begin(),
-            data.boundary.owner.end()
-        );
-
-        const scalarField ratio(tr(firstMoments(data))/data.V);
-        scalar sum = 0;
-        label count = 0;
-        forAll(ratio, i)
-        {
-            if (!atBoundary.test(i))
-            {
-                sum += ratio[i]/space.nDims();
-                ++count;
-            }
-        }
-        if (count)
-        {
-            data.Sf /= sum/count;
-        }
-    }
-
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
 
     const scalar tolerance = areaTolerance(space, data);
