@@ -41,6 +41,19 @@ Foam::SPH::signedDistance::nearest Foam::SPH::booleanDistance::find
 
     for (label i = 1; i < operands_.size(); ++i)
     {
+        // Outside its box an operand is at least as far as the box
+        const boundBox box(operands_[i]->bounds());
+        const scalar least = mag(p - min(max(p, box.min()), box.max()));
+        if
+        (
+            operation_ == operation::unite
+          ? least > result.distance
+          : complemented(i) && -least < result.distance
+        )
+        {
+            continue;
+        }
+
         nearest other(operands_[i]->find(p));
         if (complemented(i))
         {
@@ -58,9 +71,6 @@ Foam::SPH::signedDistance::nearest Foam::SPH::booleanDistance::find
             result = other;
         }
     }
-
-    // Elements are those of an operand
-    result.element = -1;
 
     return result;
 }

@@ -176,22 +176,31 @@ bool Foam::SPH::surfaceDistance::enclosed(const point& x) const
 }
 
 
+Foam::label Foam::SPH::surfaceDistance::nearestElement(const point& x) const
+{
+    const label hint = nearby_->find(*tree_, x);
+    point hit(x);
+
+    if (hint >= 0)
+    {
+        vector normal;
+        nearestOnElement(hint, x, hit, normal);
+    }
+
+    return tree_->nearest(x, hint, hit);
+}
+
+
 Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
 (
-    const point& x,
-    const label hint
+    const point& x
 ) const
 {
     nearest result;
     point hit;
     vector normal;
 
-    if (hint >= 0)
-    {
-        nearestOnElement(hint, x, hit, normal);
-    }
-
-    const label elementi = tree_->nearest(x, hint, hit);
+    const label elementi = nearestElement(x);
 
     if (elementi < 0)
     {
@@ -232,7 +241,6 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
     result.normal = normal;
     result.patchi = patches_[elementi];
     result.facei = faces_[elementi];
-    result.element = elementi;
 
     return result;
 }
@@ -270,6 +278,18 @@ Foam::SPH::surfaceDistance::surfaceDistance
     setNormals();
 
     tree_.reset(new elementTree(space_.nDims(), points_, elements_));
+    nearby_.reset
+    (
+        new nearestElementGrid
+        (
+            space_.nDims(),
+            boundBox
+            (
+                space_.toLocal(bounds_.min()),
+                space_.toLocal(bounds_.max())
+            )
+        )
+    );
 }
 
 
@@ -280,17 +300,7 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::find
     const point& p
 ) const
 {
-    return find(p, nearest());
-}
-
-
-Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::find
-(
-    const point& p,
-    const nearest& hint
-) const
-{
-    nearest result(findLocal(space_.toLocal(p), hint.element));
+    nearest result(findLocal(space_.toLocal(p)));
 
     result.hit = space_.position(result.hit);
     result.normal = space_.toGlobal(result.normal);
@@ -302,7 +312,7 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::find
 Foam::scalar Foam::SPH::surfaceDistance::magDistance(const point& p) const
 {
     const point x(space_.toLocal(p));
-    const label elementi = tree_->nearest(x);
+    const label elementi = nearestElement(x);
 
     if (elementi < 0)
     {

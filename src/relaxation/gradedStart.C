@@ -305,16 +305,20 @@ void Foam::SPH::gradedStart::generate
         );
     }
 
-    forAll(corners_, celli)
-    {
-        support.addCell
-        (
-            corners_[celli],
-            edges_[celli],
-            domain_.spacingAt(corners_[celli] + 0.5*edges_[celli]),
-            start
-        );
-    }
+    start.addFixedByThreads
+    (
+        corners_.size(),
+        [&](const label celli, particleStart& cell)
+        {
+            support.addCell
+            (
+                corners_[celli],
+                edges_[celli],
+                domain_.spacingAt(corners_[celli] + 0.5*edges_[celli]),
+                cell
+            );
+        }
+    );
 }
 
 

@@ -10,8 +10,6 @@ License
 #include "latticeStart.H"
 #include "error.H"
 
-#include <omp.h>
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::vector Foam::SPH::latticeStart::corner(const cellIndex& cell) const
@@ -25,75 +23,117 @@ Foam::vector Foam::SPH::latticeStart::corner(const cellIndex& cell) const
 }
 
 
-void Foam::SPH::latticeStart::classify
-(
-    const cellIndex& low,
-    const cellIndex& size
-)
+void Foam::SPH::latticeStart::locate(block& b) const
 {
     vector half(Zero);
     for (label d = 0; d < domain_.nDims(); ++d)
     {
-        half[d] = 0.5*size[d]*edges_[d];
+        half[d] = 0.5*b.size[d]*edges_[d];
     }
-    const vector centre(corner(low) + half);
+    const vector centre(corner(b.low) + half);
     const scalar radius = mag(half);
     const scalar reach = domain_.support(0, spacing_);
 
-    bool near = false;
-    scalar distance = GREAT;
-    bool inFluid = false;
-    for (label bodyi = 0; bodyi < domain_.bodies.size() && !near; ++bodyi)
+    b.where = location::outside;
+    forAll(domain_.bodies, bodyi)
     {
         const scalar phi = domain_.distance(bodyi, centre);
 
         // Solids are filled as deep as the fluid sees, and held from behind
         const scalar depth = (bodyi > 0 && phi < 0 ? 2*reach : reach);
-        near = mag(phi) < radius + depth + mag(edges_);
-        if (bodyi == 0)
+        if (mag(phi) < radius + depth + mag(edges_))
         {
-            inFluid = phi < 0;
-            distance = mag(phi) - radius;
+            b.where =
+                b.size[0]*b.size[1]*b.size[2] == 1
+              ? location::near
+              : location::undecided;
+            return;
+        }
+        if (bodyi == 0 && phi < 0)
+        {
+            b.where = location::inside;
+            b.distance = mag(phi) - radius;
         }
     }
+}
 
-    if (!near)
-    {
-        if (inFluid)
-        {
-            blocks_.append(block({low, size, distance}));
-        }
-        return;
-    }
 
-    if (size[0]*size[1]*size[2] == 1)
-    {
-        nearCells_.append(low);
-        return;
-    }
-
-    cellIndex parts;
+void Foam::SPH::latticeStart::divide
+(
+    const block& b,
+    DynamicList<block>& parts
+)
+{
+    label n[3];
     for (label d = 0; d < 3; ++d)
     {
-        parts[d] = size[d] > 1 ? 2 : 1;
+        n[d] = b.size[d] > 1 ? 2 : 1;
     }
-    for (label k = 0; k < parts[2]; ++k)
+    for (label k = 0; k < n[2]; ++k)
     {
-        for (label j = 0; j < parts[1]; ++j)
+        for (label j = 0; j < n[1]; ++j)
         {
-            for (label i = 0; i < parts[0]; ++i)
+            for (label i = 0; i < n[0]; ++i)
             {
-                const label part[3] = {i, j, k};
-                cellIndex partLow;
-                cellIndex partSize;
+                const label index[3] = {i, j, k};
+                block part;
                 for (label d = 0; d < 3; ++d)
                 {
-                    const label first = size[d]/parts[d];
-                    partLow[d] = low[d] + part[d]*first;
-                    partSize[d] = part[d] == 0 ? first : size[d] - first;
+                    const label first = b.size[d]/n[d];
+                    part.low[d] = b.low[d] + index[d]*first;
+                    part.size[d] = index[d] == 0 ? first : b.size[d] - first;
                 }
-                classify(partLow, partSize);
+                parts.append(part);
             }
+        }
+    }
+}
+
+
+void Foam::SPH::latticeStart::classify(const block& all)
+{
+    DynamicList<block> blocks;
+    blocks.append(all);
+
+    for (bool undecided = true; undecided;)
+    {
+        #pragma omp parallel for schedule(dynamic, 64)
+        for (label i = 0; i < blocks.size(); ++i)
+        {
+            if (blocks[i].where == location::undecided)
+            {
+                locate(blocks[i]);
+            }
+        }
+
+        // Parts take the place of the whole, which keeps neighbours near
+        // each other in the list
+        undecided = false;
+        DynamicList<block> next(blocks.size());
+        for (const block& b : blocks)
+        {
+            if (b.where == location::undecided)
+            {
+                undecided = true;
+                divide(b, next);
+            }
+            else if (b.where != location::outside)
+            {
+                next.append(b);
+            }
+        }
+        blocks.transfer(next);
+    }
+
+    for (const block& b : blocks)
+    {
+        if (b.where == location::inside)
+        {
+            blocks_.append(b);
+        }
+        else
+        {
+            nearCells_.append(b.low);
         }
     }
 }
@@ -161,6 +201,24 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
     }
     threshold = min(threshold, scalar(0));
 
+    // A site on the interface that the fluid did not take is the solid's
+    labelList solid(nNear, -1);
+    #pragma omp parallel for schedule(dynamic, 64)
+    for (label s = 0; s < nNear; ++s)
+    {
+        const vector p(site(nearCells_[s/nSites], s % nSites));
+
+        for (label b = 1; b < nBodies && !taken[s] && solid[s] < 0; ++b)
+        {
+            const scalar phis = domain_.distance(b, p);
+            if (phis < -threshold + tieWidth)
+            {
+                solid[s] = b;
+                phi[s] = phis;
+            }
+        }
+    }
+
     const scalar fluidReach = domain_.support(0, spacing_) + spacing_;
 
     for (label s = 0; s < nNear; ++s)
@@ -170,30 +228,21 @@ void Foam::SPH::latticeStart::addNearSites(particleStart& start) const
         if (taken[s])
         {
             start.add(p, spacing_, 0, phi[s], false);
-            continue;
         }
-
-        // A site on the interface that the fluid did not take is the solid's
-        for (label bodyi = 1; bodyi < nBodies; ++bodyi)
+        else if (solid[s] > 0 && phi[s] > -fluidReach)
         {
-            const scalar phis = domain_.distance(bodyi, p);
-            if (phis < -threshold + tieWidth && phis > -fluidReach)
-            {
-                start.add(p, spacing_, bodyi, phis, false);
-                break;
-            }
-            else if (phis <= -fluidReach)
-            {
-                // The fluid does not see it: it only holds the others
-                start.addFixed
-                (
-                    p,
-                    spacing_,
-                    domain_.volume(spacing_),
-                    bodyi
-                );
-                break;
-            }
+            start.add(p, spacing_, solid[s], phi[s], false);
+        }
+        else if (solid[s] > 0)
+        {
+            // The fluid does not see it: it only holds the others
+            start.addFixed
+            (
+                p,
+                spacing_,
+                domain_.volume(spacing_),
+                solid[s]
+            );
         }
     }
 }
@@ -244,14 +293,13 @@ Foam::SPH::latticeStart::latticeStart
         margin_[d] = periodic ? 0 : 1 + label(reach/edges_[d]);
     }
 
-    cellIndex low;
-    cellIndex size;
+    block all;
     for (label d = 0; d < 3; ++d)
     {
-        low[d] = -margin_[d];
-        size[d] = n_[d] + 2*margin_[d];
+        all.low[d] = -margin_[d];
+        all.size[d] = n_[d] + 2*margin_[d];
     }
-    classify(low, size);
+    classify(all);
 }
 
 
@@ -290,32 +338,14 @@ void Foam::SPH::latticeStart::generate
 
     addNearSites(start);
 
-    // Shares of the cells are put one after the other, so that the result
-    // does not depend on the number of threads
-    const label nShares = max(1, omp_get_max_threads());
-    List<particleStart> shares(nShares);
-
-    #pragma omp parallel for schedule(static, 1)
-    for (label share = 0; share < nShares; ++share)
-    {
-        const label first = share*int64_t(nearCells_.size())/nShares;
-        const label last = (share + 1)*int64_t(nearCells_.size())/nShares;
-        for (label c = first; c < last; ++c)
+    start.addFixedByThreads
+    (
+        nearCells_.size(),
+        [&](const label celli, particleStart& cell)
         {
-            support.addCell
-            (
-                corner(nearCells_[c]), edges_, spacing_, shares[share]
-            );
+            support.addCell(corner(nearCells_[celli]), edges_, spacing_, cell);
         }
-    }
-
-    for (const particleStart& share : shares)
-    {
-        start.fixedPoints.append(share.fixedPoints);
-        start.fixedSpacing.append(share.fixedSpacing);
-        start.fixedVolume.append(share.fixedVolume);
-        start.fixedBody.append(share.fixedBody);
-    }
+    );
 }
 
 

@@ -15,21 +15,21 @@ License
 Foam::scalar Foam::SPH::staticSupport::outside
 (
     const label bodyi,
-    const vector& x,
+    const UList<scalar>& phi,
     const scalar l
 ) const
 {
     const scalar epsilon = 0.75*l;
 
-    scalar fraction = heaviside(domain_.distance(bodyi, x), epsilon);
+    scalar fraction = heaviside(phi[bodyi], epsilon);
 
     if (bodyi == 0 && sharedInterfaces_)
     {
         // Both sides of an interface have complementary fractions, so that
         // their filled parts add up to one there
-        for (label s = 1; s < domain_.bodies.size() && fraction > 0; ++s)
+        for (label s = 1; s < phi.size(); ++s)
         {
-            fraction += heaviside(domain_.distance(s, x), epsilon) - 1;
+            fraction += heaviside(phi[s], epsilon) - 1;
         }
     }
 
@@ -123,6 +123,48 @@ void Foam::SPH::staticSupport::addCell
     const List<vector>& sites = cut ? whole : pattern_.sites();
     const scalar V = volume/(pow(scalar(nParts), nDims)*sites.size());
 
+    label n[3] = {1, 1, 1};
+    for (label d = 0; d < nDims; ++d)
+    {
+        n[d] = nParts;
+    }
+
+    DynamicList<vector> points;
+    for (label k = 0; k < n[2]; ++k)
+    {
+        for (label j = 0; j < n[1]; ++j)
+        {
+            for (label i = 0; i < n[0]; ++i)
+            {
+                for (const vector& site : sites)
+                {
+                    vector p(corner);
+                    const label part[3] = {i, j, k};
+                    for (label d = 0; d < nDims; ++d)
+                    {
+                        p[d] += edges[d]*(part[d] + site[d])/n[d];
+                    }
+                    points.append(p);
+                }
+            }
+        }
+    }
+
+    // Distances of the bodies at the points; those of the centre serve where
+    // no surface cuts the cell
+    List<scalarField> distances(points.size(), phi);
+    for (label q = 0; q < points.size() && cut; ++q)
+    {
+        forAll(phi, bodyi)
+        {
+            if (mag(phi[bodyi]) < mag(edges))
+            {
+                distances[q][bodyi] = domain_.distance(bodyi, points[q]);
+            }
+        }
+    }
+
+    const scalar width = cut ? shortest/nParts : cutTolerance;
     forAll(phi, bodyi)
     {
         if (phi[bodyi] > domain_.support(bodyi, dp) + mag(edges))
@@ -130,40 +172,13 @@ void Foam::SPH::staticSupport::addCell
             continue;
         }
 
-        label n[3] = {1, 1, 1};
-        for (label d = 0; d < nDims; ++d)
+        forAll(points, q)
         {
-            n[d] = nParts;
-        }
+            const scalar fraction = outside(bodyi, distances[q], width);
 
-        for (label k = 0; k < n[2]; ++k)
-        {
-            for (label j = 0; j < n[1]; ++j)
+            if (fraction > SMALL)
             {
-                for (label i = 0; i < n[0]; ++i)
-                {
-                    for (const vector& site : sites)
-                    {
-                        vector p(corner);
-                        const label part[3] = {i, j, k};
-                        for (label d = 0; d < nDims; ++d)
-                        {
-                            p[d] += edges[d]*(part[d] + site[d])/n[d];
-                        }
-
-                        const scalar fraction = outside
-                        (
-                            bodyi,
-                            cut ? p : centre,
-                            cut ? shortest/nParts : cutTolerance
-                        );
-
-                        if (fraction > SMALL)
-                        {
-                            start.addFixed(p, dp, fraction*V, bodyi);
-                        }
-                    }
-                }
+                start.addFixed(points[q], dp, fraction*V, bodyi);
             }
         }
     }

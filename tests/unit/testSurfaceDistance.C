@@ -83,7 +83,6 @@ void checkPolygon(const orientedSurface& surface, const label n)
 
     const surfaceDistance distance(surface);
     std::mt19937 random(7);
-    signedDistance::nearest hint;
 
     for (const point& p : queries(surface, n, random))
     {
@@ -105,10 +104,6 @@ void checkPolygon(const orientedSurface& surface, const label n)
             EXPECT_EQ(found.distance < 0, plainInside(surface, p))
                 << p.x() << ' ' << p.y() << ' ' << expected;
         }
-
-        const auto hinted = distance.find(p, hint);
-        EXPECT_NEAR(hinted.distance, found.distance, 1e-15);
-        hint = found;
 
         const scalar margin = 1e-9 + 1e-9*expected;
         EXPECT_TRUE(distance.within(p, expected + margin));
