@@ -365,7 +365,17 @@ Foam::FixedList<Foam::point, 3> Foam::SPH::surfaceDistance::corners
 
 bool Foam::SPH::surfaceDistance::inside(const point& p) const
 {
-    return closed_.valid() ? closed_->inside(p) : find(p).distance < 0;
+    if (closed_.valid())
+    {
+        return closed_->inside(p);
+    }
+
+    // Far away all elements are equally near in round-off
+    const point x(space_.toLocal(p));
+    const point low(space_.toLocal(bounds_.min()));
+    const point high(space_.toLocal(bounds_.max()));
+
+    return x == min(max(x, low), high) && find(p).distance < 0;
 }
 
 

@@ -18,7 +18,8 @@ Foam::SPH::cellGrid::cellGrid(const UList<vector>& points, const scalar size)
     inverseSize_(1/size),
     n_(1),
     start_(),
-    sorted_(points.size())
+    sorted_(points.size()),
+    positions_(points.size())
 {
     if (points.empty())
     {
@@ -64,7 +65,9 @@ Foam::SPH::cellGrid::cellGrid(const UList<vector>& points, const scalar size)
     labelList next(SubList<label>(start_, start_.size() - 1));
     forAll(points, i)
     {
-        sorted_[next[cell[i]]++] = i;
+        const label s = next[cell[i]]++;
+        sorted_[s] = i;
+        positions_[s] = points[i];
     }
 }
 

@@ -16,7 +16,8 @@ void Foam::SPH::verletList::reset
     vectorField&& points,
     scalarField&& radius,
     const scalar radiusRatio,
-    const scalar skinRatio
+    const scalar skinRatio,
+    const scalar cellRatio
 )
 {
     points_ = std::move(points);
@@ -24,7 +25,10 @@ void Foam::SPH::verletList::reset
     radiusRatio_ = radiusRatio;
     skinRatio_ = skinRatio;
 
-    gridPtr_.reset(new cellGridLevels(points_, radius_, 1 + skinRatio_));
+    gridPtr_.reset
+    (
+        new cellGridLevels(points_, radius_, cellRatio*(1 + skinRatio_))
+    );
 
     begin_.setSize(points_.size());
     end_.setSize(points_.size());

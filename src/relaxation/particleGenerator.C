@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleGenerator.H"
-#include "overlapVolume.H"
 #include "gradedStart.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
@@ -28,29 +27,6 @@ namespace Foam
 {
 namespace SPH
 {
-    //- A region without any boundary: everything is deep inside
-    class unbounded
-    :
-        public signedDistance
-    {
-    public:
-
-        virtual nearest find(const point& p) const
-        {
-            nearest n;
-            n.distance = -GREAT;
-            n.hit = p;
-            return n;
-        }
-
-        virtual boundBox bounds() const
-        {
-            return boundBox::greatBox;
-        }
-    };
-
-    static const unbounded everywhere;
-
     template<class Type>
     static List<Type> reordered(const UList<Type>& list, const labelList& order)
     {
@@ -134,48 +110,24 @@ void Foam::SPH::particleGenerator::setDomain()
         domain_.spacing = [this](const point& p) { return (*spacing_)(p); };
     }
 
-    bool bounded = false;
-    for (const orientedSurface::element& e : surface_.elements())
-    {
-        bounded = bounded || !e.coupled;
-    }
-    if (bounded)
-    {
-        region_.reset
+    region_.reset
+    (
+        new fluidRegion
         (
-            new surfaceDistance(surface_, 4*kernel_->support(spacing_->max()))
-        );
-    }
-
-    List<const signedDistance*> operands;
-    operands.append(region_.valid() ? region_.get() : nullptr);
-    for (const solidBody& body : bodies_)
-    {
-        if (body.patches().empty())
-        {
-            operands.append(&body.distance());
-            const scalar overlap =
-                region_.valid()
-              ? overlapVolume(space_, *region_, body, spacing_->min())
-              : body.surface().volume();
-            domain_.fluidVolume -= overlap;
-            filesCutMesh_ = filesCutMesh_ || overlap > 0;
-        }
-    }
-    if (operands.size() > 1)
-    {
-        operands[0] = region_.valid() ? operands[0] : &everywhere;
-        subtracted_.reset
-        (
-            new booleanDistance(booleanDistance::operation::subtract, operands)
-        );
-    }
+            surface_,
+            bodies_,
+            4*kernel_->support(spacing_->max())
+        )
+    );
+    const scalar overlap = region_->overlap(spacing_->min());
+    domain_.fluidVolume -= overlap;
+    filesCutMesh_ = overlap > 0;
 
     const scalar ratio = kernel_->smoothingRatio();
     domain_.bodies.append
     ({
         "fluid",
-        bounded || subtracted_.valid() ? &fluidDistance() : nullptr,
+        region_->bounded() ? &region_->distance() : nullptr,
         ratio
     });
     for (const solidBody& body : bodies_)
@@ -270,21 +222,6 @@ Foam::SPH::particleGenerator::particleGenerator
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-const Foam::SPH::signedDistance&
-Foam::SPH::particleGenerator::fluidDistance() const
-{
-    if (subtracted_.valid())
-    {
-        return *subtracted_;
-    }
-    if (region_.valid())
-    {
-        return *region_;
-    }
-    return everywhere;
-}
-
 
 void Foam::SPH::particleGenerator::estimate(Ostream& os) const
 {

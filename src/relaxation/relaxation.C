@@ -68,7 +68,9 @@ void Foam::SPH::relaxation::resetList()
         particles_.positions(),
         std::move(radius),
         ratio,
-        method_.skin()/domain_.W.cutOff()/largest
+        method_.skin()/domain_.W.cutOff()/largest,
+        // Whole radii would have six times the volume of the sphere in 3-D
+        domain_.nDims() == 3 ? 0.5 : 1
     );
 }
 

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleMeshAssembly.H"
+#include "cpuTime.H"
 #include "particlePairs.H"
 #include "periodicImages.H"
 #include "rawPairAreas.H"
@@ -122,7 +123,9 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     );
     data.Sf = rawPairAreas(space, W, data.V, data);
 
+    const cpuTime clock;
     method.close(mesh, space, W, fluid, data);
+    Info<< "    closed in " << clock.elapsedCpuTime() << " s CPU" << endl;
 
     return data;
 }

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rawPairAreas.H"
+#include "compensatedSum.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -25,7 +26,7 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
     {
         V[i] = space.volume(spacing[i]);
     }
-    V *= total/sum(V);
+    V *= total/compensatedSum(V);
 
     return tV;
 }

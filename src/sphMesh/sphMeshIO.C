@@ -264,7 +264,9 @@ void Foam::SPH::sphMesh::writeMesh
     properties.set("mesh", digest(mesh_, dictionary::null));
     properties.set("nParticles", nParticles());
     properties.set("nPairs", nPairs());
+    const unsigned precision = IOstream::defaultPrecision(17);
     checkWritten(properties.regIOobject::write(), properties);
+    IOstream::defaultPrecision(precision);
 
     rmDir(directory(mesh_), true);
     mv(partialPath, directory(mesh_));

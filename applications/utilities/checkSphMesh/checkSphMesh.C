@@ -32,12 +32,13 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "fluidRegion.H"
 #include "meshQuality.H"
 #include "meshQualityVtp.H"
 #include "patchSurface.H"
 #include "qualityPicture.H"
+#include "solidBodies.H"
 #include "solidParticles.H"
-#include "surfaceDistance.H"
 #include "virtualDisplay.H"
 
 using namespace Foam;
@@ -60,11 +61,22 @@ int main(int argc, char *argv[])
     const List<SPH::particleSet> solids(SPH::readSolidParticles(mesh));
 
     const SPH::patchSurface surface(mesh, particles.space());
-    const SPH::surfaceDistance fluid
+
+    // Named by sphMesh where they have no patches
+    const autoPtr<SPH::solidBodies> bodies
     (
-        surface, particles.W().support(max(particles.spacing()))
+        particles.properties().found("bodies")
+      ? new SPH::solidBodies(surface, particles.properties(), 1)
+      : nullptr
     );
-    const SPH::meshQuality quality(particles, solids, fluid);
+    const PtrList<SPH::solidBody> none;
+    const SPH::fluidRegion fluid
+    (
+        surface,
+        bodies.valid() ? *bodies : none,
+        particles.W().support(max(particles.spacing()))
+    );
+    const SPH::meshQuality quality(particles, solids, fluid.distance());
 
     Info<< "Time = " << runTime.timeName() << nl << nl
         << "Particle mesh" << nl

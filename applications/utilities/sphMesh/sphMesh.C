@@ -100,6 +100,7 @@ int main(int argc, char *argv[])
     if (generator.filesCutMesh())
     {
         properties.add("fluidVolume", generator.fluid().volume);
+        properties.add("bodies", dict.subDict("bodies"));
     }
 
     Info<< "Pairs and closure" << endl;

@@ -14,8 +14,9 @@ License
 #include "particleMoments.H"
 #include "periodicImages.H"
 #include "addToRunTimeSelectionTable.H"
-#include "bitSet.H"
+#include "compensatedSum.H"
 #include "scalarMatrices.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -299,6 +300,9 @@ void Foam::SPH::consistentClosure::close
     if (consistentVolumes_)
     {
         data.V = tr(firstMoments(data))/space.nDims();
+
+        // Warped boundary faces enclose another volume than the cells have
+        data.V *= gSum(mesh.V())/compensatedSum(data.V);
     }
     if (order_ == 1)
     {

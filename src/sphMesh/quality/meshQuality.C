@@ -9,6 +9,7 @@ License
 
 #include "meshQuality.H"
 #include "cellGrid.H"
+#include "compensatedSum.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -144,7 +145,7 @@ Foam::SPH::meshQuality::meshQuality
     (
         "volume",
         "fluid",
-        sum(particles.V())
+        compensatedSum(particles.V())
        /particles.properties().lookupOrDefault<scalar>
         (
             "fluidVolume", gSum(particles.mesh().V())
