@@ -61,7 +61,7 @@ namespace SPH
             const scalar yi = y[i];
             const scalar zi = z[i];
             const scalar rhi = rRatio/dp[i];
-            const scalar ci = sigma*power<nDims + 1>(rhi);
+            const scalar ci = sigma*power<nDims + 2>(rhi);
 
             scalar sx = 0;
             scalar sy = 0;
@@ -75,18 +75,21 @@ namespace SPH
                 const scalar dy = nDims > 1 ? yi - y[j] : 0;
                 const scalar dz = nDims > 2 ? zi - z[j] : 0;
 
-                // Two particles in one place exert no force on each other
-                const scalar r = std::sqrt(dx*dx + dy*dy + dz*dz + VSMALL);
+                const scalar r = std::sqrt(dx*dx + dy*dy + dz*dz);
 
-                scalar dW = ci*Shape::dw(r*rhi);
+                // dW/dr over r, which is finite where particles meet
+                scalar dWByR = ci*Shape::dwByQ(r*rhi);
                 if constexpr (!uniform)
                 {
                     const scalar rhj = rRatio/dp[j];
-                    dW = 0.5
-                       *(dW + sigma*power<nDims + 1>(rhj)*Shape::dw(r*rhj));
+                    dWByR = 0.5
+                       *(
+                            dWByR
+                          + sigma*power<nDims + 2>(rhj)*Shape::dwByQ(r*rhj)
+                        );
                 }
 
-                const scalar f = V[j]*dW/r;
+                const scalar f = V[j]*dWByR;
                 sx += f*dx;
                 sy += f*dy;
                 sz += f*dz;

@@ -222,6 +222,10 @@ TEST_P(EveryKernel, inlineShapeIsTheVirtualOne)
             {
                 EXPECT_NEAR(shape.w(q), kernel->w(q), 1e-14*kernel->w(0));
                 EXPECT_NEAR(shape.dw(q), kernel->dw(q), 1e-14*kernel->w(0));
+                EXPECT_NEAR
+                (
+                    q*shape.dwByQ(q), shape.dw(q), 1e-14*kernel->w(0)
+                );
             }
         }
     );

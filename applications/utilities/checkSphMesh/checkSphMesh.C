@@ -24,13 +24,15 @@ Usage
 
       - \par -picture
         Draw the particles with their kernel gradient sums in particles.png
-        beside quality.csv
+        beside quality.csv, and in 2-D the area vectors of the boundary, those
+        of the mesh's faces beside those of the particles, in areaVectors.png
 
       - \par -view "(xMin yMin zMin) (xMax yMax zMax)"
         Draw this part of them
 
 \*---------------------------------------------------------------------------*/
 
+#include "areaVectorPicture.H"
 #include "fvCFD.H"
 #include "fluidRegion.H"
 #include "meshQuality.H"
@@ -102,13 +104,21 @@ int main(int argc, char *argv[])
         const SPH::virtualDisplay display;
         if (SPH::virtualDisplay::available())
         {
+            const boundBox view
+            (
+                args.getOrDefault<boundBox>("view", mesh.bounds())
+            );
             SPH::writeQualityPicture
             (
-                particles,
-                quality,
-                args.getOrDefault<boundBox>("view", mesh.bounds()),
-                folder/"particles.png"
+                particles, quality, view, folder/"particles.png"
             );
+            if (particles.space().nDims() == 2)
+            {
+                SPH::writeAreaVectorPicture
+                (
+                    particles, view, folder/"areaVectors.png"
+                );
+            }
         }
         else
         {

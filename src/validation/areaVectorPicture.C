@@ -1,0 +1,175 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "areaVectorPicture.H"
+#include "emptyPolyPatch.H"
+#include "fieldPicture.H"
+#include "meshSlice.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+namespace
+{
+    //- Area vectors per thickness in the plane of the picture
+    struct arrows
+    {
+        DynamicList<point> tails;
+        DynamicList<vector> lengths;
+
+        void add
+        (
+            const boundBox& box,
+            const point& tail,
+            const vector& length
+        )
+        {
+            if
+            (
+                tail.x() >= box.min().x() && tail.x() <= box.max().x()
+             && tail.y() >= box.min().y() && tail.y() <= box.max().y()
+            )
+            {
+                tails.append(tail);
+                lengths.append(length);
+            }
+        }
+    };
+
+    //- A shaft and a head for each arrow, with lengths times scale
+    struct arrowShapes
+    {
+        pointField points;
+        faceList polygons;
+        scalarField values;
+
+        arrowShapes(const arrows& a, const scalar scale)
+        {
+            const scalar shaft = 0.03;
+            const scalar head = 0.12;
+
+            DynamicList<point> corners;
+            DynamicList<face> shapes;
+            DynamicList<scalar> colours;
+            forAll(a.tails, i)
+            {
+                const point& tail = a.tails[i];
+                const vector along(scale*a.lengths[i]);
+                const vector across(-along.y(), along.x(), 0);
+
+                shapes.append(face(identity(4, corners.size())));
+                corners.append(tail - shaft*across);
+                corners.append(tail + 0.7*along - shaft*across);
+                corners.append(tail + 0.7*along + shaft*across);
+                corners.append(tail + shaft*across);
+
+                shapes.append(face(identity(3, corners.size())));
+                corners.append(tail + 0.7*along - head*across);
+                corners.append(tail + along);
+                corners.append(tail + 0.7*along + head*across);
+
+                colours.append(mag(a.lengths[i]));
+                colours.append(mag(a.lengths[i]));
+            }
+            points = corners;
+            polygons = shapes;
+            values = colours;
+        }
+    };
+}
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::writeAreaVectorPicture
+(
+    const sphMesh& particles,
+    const boundBox& view,
+    const fileName& file
+)
+{
+    const solutionSpace& space = particles.space();
+    vector normal(Zero);
+    normal[space.axis(2)] = 1;
+    const meshSlice slice(particles.mesh(), view.midpoint(), normal);
+
+    const point a(slice.toPlane(view.min()));
+    const point b(slice.toPlane(view.max()));
+    const boundBox box(min(a, b), max(a, b));
+    const scalar rThickness = 1/space.thickness();
+
+    arrows mesh;
+    for (const fvPatch& patch : particles.mesh().boundary())
+    {
+        if (!patch.coupled() && !isA<emptyPolyPatch>(patch.patch()))
+        {
+            forAll(patch, facei)
+            {
+                mesh.add
+                (
+                    box,
+                    slice.toPlane(patch.Cf()[facei]),
+                    rThickness*slice.toPlane(patch.Sf()[facei])
+                );
+            }
+        }
+    }
+
+    arrows sph;
+    const boundaryFaces& faces = particles.boundary().faces();
+    forAll(faces.owner, facei)
+    {
+        sph.add
+        (
+            box,
+            slice.toPlane(faces.Cf[facei]),
+            rThickness*slice.toPlane(faces.Sf[facei])
+        );
+    }
+
+    scalar longest = VSMALL;
+    for (const arrows* each : {&mesh, &sph})
+    {
+        for (const vector& length : each->lengths)
+        {
+            longest = max(longest, mag(length));
+        }
+    }
+    const scalar scale =
+        0.12*min(box.span().x(), box.span().y())/longest;
+
+    const arrowShapes left(mesh, scale);
+    const arrowShapes right(sph, scale);
+    fieldPicture picture
+    (
+        "Area vectors of the boundary over the thickness",
+        box,
+        slice.rightName() + " [m]",
+        slice.upName() + " [m]",
+        {{"|A| [m]", 0, longest, colourMap::sequential}}
+    );
+    picture.add
+    ({
+        "FVM faces", left.points, left.polygons, left.values, 0, 0, false
+    });
+    picture.add
+    ({
+        "Particles", right.points, right.polygons, right.values, 0, 0, false
+    });
+    picture.write(file);
+}
+
+
+// ************************************************************************* //
