@@ -164,9 +164,9 @@ int main(int argc, char *argv[])
 
             Info<< "gradient " << field.name << ' '
                 << (given ? "given" : "free") << ' '
-                << sqrt(sumSqr/gradient.size())/largest << ' '
+                << Foam::sqrt(sumSqr/gradient.size())/largest << ' '
                 << maxAll/largest << ' '
-                << sqrt(sumSqrAt/nAt)/largest << ' '
+                << Foam::sqrt(sumSqrAt/max(nAt, label(1)))/largest << ' '
                 << maxAt/largest << nl;
         }
     }
