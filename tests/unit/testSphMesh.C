@@ -360,6 +360,51 @@ TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)
 }
 
 
+TEST(SurfaceVector, splitsCornersAlongBothWalls)
+{
+    const auto scene = particleScene::New("box", 0);
+    const auto whole = scene->assemble("type surfaceVector;");
+    const auto split =
+        scene->assemble("type surfaceVector; splitCorners yes;");
+
+    const auto sums = [](const sphMesh& m)
+    {
+        vectorField sum(m.nParticles(), Zero);
+        for (const sphPatch& patch : m.boundary())
+        {
+            forAll(patch.owner(), s)
+            {
+                sum[patch.owner()[s]] += patch.Sf()[s];
+            }
+        }
+        return sum;
+    };
+    EXPECT_LT(max(mag(sums(*whole) - sums(*split))), 1e-15);
+
+    // Vectors of the box's sides are normal to them but for the particles
+    // that a second side cuts off by a little
+    label nOblique = 0;
+    for (const sphPatch& patch : split->boundary())
+    {
+        forAll(patch.owner(), s)
+        {
+            const vector n(patch.Sf()[s]/mag(patch.Sf()[s]));
+            nOblique += cmptMax(cmptMag(n)) < 0.99;
+        }
+    }
+    EXPECT_EQ(nOblique, 0);
+
+    label nDouble = 0;
+    labelList nFaces(split->nParticles(), Zero);
+    for (const label i : split->boundary().faces().owner)
+    {
+        nDouble += ++nFaces[i] == 2;
+    }
+    EXPECT_GE(nDouble, 4);
+}
+
+
+
 // * * * * * * * * * * * * * * *  Hidden pairs * * * * * * * * * * * * * * * //
 
 TEST(HiddenPairs, thinPlateSeparatesItsSides)

@@ -24,11 +24,63 @@ namespace SPH
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::DynamicList<Foam::SPH::surfaceVectorClosure::part>
+Foam::SPH::surfaceVectorClosure::split
+(
+    const label particlei,
+    const point& p,
+    const vector& A,
+    const scalar radius,
+    const signedDistance& fluid
+) const
+{
+    // Sides whose normals are nearer to each other are one wall
+    const scalar sameSide = 0.7;
+
+    // Least part of a vector for a side of its own
+    const scalar leastPart = 0.05;
+
+    DynamicList<part> parts;
+    parts.append({particlei, fluid.find(p), A});
+    if (!splitCorners_)
+    {
+        return parts;
+    }
+
+    const vector n(parts[0].face.normal);
+    const vector across(A - (A & n)*n);
+    const scalar magAcross = mag(across);
+    if (magAcross < leastPart*mag(A))
+    {
+        return parts;
+    }
+
+    // The nearest face from a point that far towards the other side
+    const vector e(across/magAcross);
+    const signedDistance::nearest other(fluid.find(p + radius*e));
+    const scalar along = other.normal & n;
+    const scalar outwards = other.normal & e;
+    if (other.patchi < 0 || along > sameSide || outwards < sameSide)
+    {
+        return parts;
+    }
+
+    const vector Sf((magAcross/outwards)*other.normal);
+    parts[0].Sf -= Sf;
+    parts.append({particlei, other, Sf});
+
+    return parts;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::surfaceVectorClosure::surfaceVectorClosure(const dictionary& dict)
 :
-    threshold_(dict.lookupOrDefault<scalar>("threshold", 0.75))
+    threshold_(dict.lookupOrDefault<scalar>("threshold", 0.75)),
+    splitCorners_(dict.lookupOrDefault<bool>("splitCorners", false))
 {
     if (threshold_ <= 0 || threshold_ >= 1)
     {
@@ -45,7 +97,7 @@ void Foam::SPH::surfaceVectorClosure::close
 (
     const fvMesh& mesh,
     const solutionSpace& space,
-    const kernel&,
+    const kernel& W,
     const signedDistance& fluid,
     particleMeshData& data
 ) const
@@ -53,21 +105,28 @@ void Foam::SPH::surfaceVectorClosure::close
     const vectorField residual(areaSums(data));
     const scalarField divergence(tr(firstMoments(data))/data.V);
 
-    struct face
-    {
-        label owner;
-        signedDistance::nearest nearest;
-    };
-
-    List<DynamicList<face>> patchFaces(mesh.boundary().size());
+    List<DynamicList<part>> patchFaces(mesh.boundary().size());
     forAll(data.points, i)
     {
         if (divergence[i] < threshold_*space.nDims())
         {
-            const signedDistance::nearest n(fluid.find(data.points[i]));
-            if (n.patchi >= 0)
+            const DynamicList<part> parts
+            (
+                split
+                (
+                    i,
+                    data.points[i],
+                    -residual[i],
+                    W.support(data.spacing[i]),
+                    fluid
+                )
+            );
+            for (const part& side : parts)
             {
-                patchFaces[n.patchi].append({i, n});
+                if (side.face.patchi >= 0)
+                {
+                    patchFaces[side.face.patchi].append(side);
+                }
             }
         }
     }
@@ -80,13 +139,16 @@ void Foam::SPH::surfaceVectorClosure::close
     boundary.start = labelList(patchFaces.size() + 1, Zero);
     forAll(patchFaces, patchi)
     {
-        for (const face& f : patchFaces[patchi])
+        for (const part& side : patchFaces[patchi])
         {
-            owner.append(f.owner);
-            Sf.append(-residual[f.owner]);
-            Cf.append(f.nearest.hit);
-            distance.append(mag(f.nearest.distance));
-            local.append(f.nearest.facei);
+            owner.append(side.owner);
+            Sf.append(side.Sf);
+            Cf.append(side.face.hit);
+            distance.append
+            (
+                mag((side.face.hit - data.points[side.owner]) & side.face.normal)
+            );
+            local.append(side.face.facei);
         }
         boundary.start[patchi + 1] = owner.size();
     }
