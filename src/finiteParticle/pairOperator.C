@@ -339,7 +339,7 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
     (
         "limiter",
         limiter,
-        {"BarthJespersen", "Minmod", "none", "vanAlbada", "vanLeer"}
+        {"BarthJespersen", "Minmod", "MUSCL", "none", "vanAlbada", "vanLeer"}
     );
     check("wallGradient", wallGradient, {"linear", "quadratic"});
 
@@ -350,6 +350,10 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
     if (limiter == "Minmod")
     {
         return select(limiters::Minmod());
+    }
+    if (limiter == "MUSCL")
+    {
+        return select(limiters::MUSCL());
     }
     if (limiter == "vanAlbada")
     {

@@ -425,21 +425,26 @@ TEST(Limiters, KeepEqualSlopesAndStopAtExtrema)
     EXPECT_DOUBLE_EQ(limiters::vanLeer::increment(0.5, 1), 0.5);
     EXPECT_DOUBLE_EQ(limiters::vanAlbada::increment(0.5, 1), 0.5);
     EXPECT_DOUBLE_EQ(limiters::Minmod::increment(0.5, 1), 0.5);
+    EXPECT_DOUBLE_EQ(limiters::MUSCL::increment(0.5, 1), 0.5);
 
     // Slope of the other sign
     EXPECT_EQ(limiters::vanLeer::increment(-0.5, 1), 0);
     EXPECT_EQ(limiters::vanAlbada::increment(-0.5, 1), 0);
     EXPECT_EQ(limiters::Minmod::increment(-0.5, 1), 0);
+    EXPECT_EQ(limiters::MUSCL::increment(-0.5, 1), 0);
 
     // No difference at all
     EXPECT_EQ(limiters::vanLeer::increment(0, 0), 0);
     EXPECT_EQ(limiters::vanAlbada::increment(0, 0), 0);
     EXPECT_EQ(limiters::Minmod::increment(0, 0), 0);
+    EXPECT_EQ(limiters::MUSCL::increment(0, 0), 0);
 
-    // r = a/b = 3: psi = 2r/(1 + r), r(r + 1)/(r^2 + 1), min(r, 1)
+    // r = a/b = 3: psi = 2r/(1 + r), r(r + 1)/(r^2 + 1), min(r, 1),
+    // min(2r, (1 + r)/2, 2)
     EXPECT_DOUBLE_EQ(limiters::vanLeer::increment(1, 1), 0.5*1.5);
     EXPECT_DOUBLE_EQ(limiters::vanAlbada::increment(1, 1), 0.5*1.2);
     EXPECT_DOUBLE_EQ(limiters::Minmod::increment(1, 1), 0.5);
+    EXPECT_DOUBLE_EQ(limiters::MUSCL::increment(1, 1), 0.5*2);
 }
 
 
