@@ -78,33 +78,20 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         vars stateJ(J);
         if constexpr (Limiter::linear)
         {
-            vars stepI(vars::zero());
-            vars stepJ(vars::zero());
             for (int v = 0; v < nVars; ++v)
             {
+                scalar stepI = 0;
+                scalar stepJ = 0;
                 for (int d = 0; d < nDims; ++d)
                 {
                     const scalar half = 0.5*sign*delta[d];
                     const scalar skew = skews[d][e];
-                    stepI[v] += G[v*nDims + d][i]*(skew + half);
-                    stepJ[v] += G[v*nDims + d][j]*(skew - half);
+                    stepI += G[v*nDims + d][i]*(skew + half);
+                    stepJ += G[v*nDims + d][j]*(skew - half);
                 }
+                stateI[v] += Limiter::increment(stepI, J[v] - I[v]);
+                stateJ[v] += Limiter::increment(stepJ, I[v] - J[v]);
             }
-
-            const vars baseI(flux.reconstructed(I));
-            const vars baseJ(flux.reconstructed(J));
-            const vars fullI(flux.reconstructedStep(I, stepI));
-            const vars fullJ(flux.reconstructedStep(J, stepJ));
-            for (int v = 0; v < nVars; ++v)
-            {
-                const scalar difference = baseJ[v] - baseI[v];
-                stateI[v] =
-                    baseI[v] + Limiter::increment(fullI[v], difference);
-                stateJ[v] =
-                    baseJ[v] + Limiter::increment(fullJ[v], -difference);
-            }
-            stateI = flux.fromReconstructed(stateI);
-            stateJ = flux.fromReconstructed(stateJ);
 
             const bool physical =
                 flux.physical(stateI) & flux.physical(stateJ);
@@ -240,20 +227,11 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
             x[d] = faces_.relative()[facei][d];
         }
 
-        vars step;
+        vars state(I);
         for (int v = 0; v < nVars; ++v)
         {
-            step[v] = increment(v, i, x);
+            state[v] += increment(v, i, x);
         }
-
-        const vars base(flux_.reconstructed(I));
-        const vars full(flux_.reconstructedStep(I, step));
-        vars state;
-        for (int v = 0; v < nVars; ++v)
-        {
-            state[v] = base[v] + full[v];
-        }
-        state = flux_.fromReconstructed(state);
         return flux_.physical(state) ? state : I;
     }
     else
