@@ -34,11 +34,7 @@ namespace
             const vector& length
         )
         {
-            if
-            (
-                tail.x() >= box.min().x() && tail.x() <= box.max().x()
-             && tail.y() >= box.min().y() && tail.y() <= box.max().y()
-            )
+            if (box.contains(tail))
             {
                 tails.append(tail);
                 lengths.append(length);

@@ -79,8 +79,7 @@ void Foam::SPH::writeQualityPicture
         if
         (
             (space.nDims() == 3 && mag(slice.distance(p)) > 0.5*dp)
-         || centre.x() < box.min().x() || centre.x() > box.max().x()
-         || centre.y() < box.min().y() || centre.y() > box.max().y()
+         || !box.contains(centre)
         )
         {
             continue;
