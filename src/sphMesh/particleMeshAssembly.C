@@ -119,6 +119,9 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     (
         space,
         data.spacing,
+        particles.density.empty() || method.uniformVolumes()
+      ? scalarField(n, scalar(1))
+      : scalarField(particles.density, order),
         particles.volume > 0 ? particles.volume : gSum(mesh.V())
     );
     data.Sf = rawPairAreas(space, W, data.V, data);

@@ -16,6 +16,7 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
 (
     const solutionSpace& space,
     const scalarField& spacing,
+    const scalarField& density,
     const scalar total
 )
 {
@@ -24,7 +25,7 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
 
     forAll(V, i)
     {
-        V[i] = space.volume(spacing[i]);
+        V[i] = space.volume(spacing[i])/density[i];
     }
     V *= total/compensatedSum(V);
 

@@ -73,7 +73,7 @@ void Foam::SPH::meshQuality::addPairAreas()
         (
             space,
             particles_.W(),
-            rawVolumes(space, data.spacing, sum(data.V)),
+            data.V,
             data
         )
     );
