@@ -134,6 +134,9 @@ Foam::scalar Foam::SPH::meshQuality::voidRadius() const
         }
     }
 
+    // Without surface all space is inside, also beyond the images
+    const boundBox& bounds = particles_.mesh().bounds();
+
     return largestVoid
     (
         space.nDims(),
@@ -141,7 +144,8 @@ Foam::scalar Foam::SPH::meshQuality::voidRadius() const
         spacing,
         [&](const vector& p)
         {
-            return fluid_.inside(space.position(p));
+            const point x(space.position(p));
+            return bounds.contains(x) && fluid_.inside(x);
         }
     );
 }
