@@ -349,6 +349,11 @@ void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
             repair.report(Info);
             return;
         }
+        if (monitor_->disturbed())
+        {
+            // Repairs are for a few particles of a set that comes to rest
+            break;
+        }
         if (round < maxRepairs)
         {
             Info<< "Repaired: ";

@@ -274,8 +274,9 @@ void Foam::SPH::particleRepair::fail() const
 
     FatalErrorInFunction
         << "No valid particle set was found: " << found.str().c_str()
-        << "Refine the entry spacing of sphMeshDict there, or allow more"
-        << " iterations in its dictionary relaxation" << exit(FatalError);
+        << "Refine the entry spacing of sphMeshDict there: sheets and gaps"
+        << " thinner than dp do not hold particles. Or allow more iterations"
+        << " in its dictionary relaxation" << exit(FatalError);
 }
 
 
