@@ -57,6 +57,13 @@ int main(int argc, char *argv[])
     const scalarIOField rho(io("rho"));
     const vectorIOField rhoU(io("rhoU"));
     const vectorIOField U(io("U"));
+    IOobject energyIO(io("rhoE"));
+    energyIO.readOpt() = IOobject::READ_IF_PRESENT;
+    const scalarIOField rhoE
+    (
+        energyIO,
+        scalarField(particles.V().size(), Zero)
+    );
 
     OSstream& os = Info;
     os.precision(17);
@@ -68,6 +75,7 @@ int main(int argc, char *argv[])
         << "mass " << sum(particles.V()*rho) << nl
         << "momentumX " << momentum.x() << nl
         << "momentumY " << momentum.y() << nl
+        << "energy " << sum(particles.V()*rhoE) << nl
         << "deviation " << max(mag(U - velocity)) << nl
         << "End\n" << endl;
 
