@@ -45,6 +45,16 @@ namespace SPH
         vector moment;
     };
 
+    //- Does a particle lie in front of an element, 0 to 1: beyond an edge of
+    //- the body it is nearer to the plane of the element than to the surface
+    static scalar facing(const scalar height, const scalar nearest)
+    {
+        constexpr scalar none = 0.75;
+        constexpr scalar all = 0.9;
+        return
+            min(max((height/nearest - none)/(all - none), scalar(0)), scalar(1));
+    }
+
     static bool mirrored(const polyPatch& pp)
     {
         return !pp.coupled() && !isA<emptyPolyPatch>(pp);
@@ -105,6 +115,17 @@ namespace SPH
         {
             const scalar radius = W.support(data.spacing[i]);
 
+            scalar nearest = radius;
+            grid.forNear
+            (
+                points[i],
+                radius,
+                [&](const label e)
+                {
+                    nearest = min(nearest, mag(centres[e] - points[i]));
+                }
+            );
+
             grid.forNear
             (
                 points[i],
@@ -112,17 +133,19 @@ namespace SPH
                 [&](const label e)
                 {
                     const vector r(centres[e] - points[i]);
-                    const bool onFluidSide =
-                        (space.toGlobal(r) & elements[e].Sf) > 0;
+                    const scalar height =
+                        (space.toGlobal(r) & elements[e].Sf)
+                       /mag(elements[e].Sf);
+                    const scalar front = facing(height, nearest);
 
-                    if (onFluidSide && magSqr(r) < radius*radius)
+                    if (front > 0 && magSqr(r) < radius*radius)
                     {
                         // A positive shape, whatever the kernel is
                         const scalar q =
                             WendlandC2Shape::cutOff*mag(r)/radius;
                         shares[e].push_back
                         ({
-                            i, data.V[i]*WendlandC2Shape::w(q)
+                            i, front*data.V[i]*WendlandC2Shape::w(q)
                         });
                     }
                 }
