@@ -287,6 +287,55 @@ INSTANTIATE_TEST_SUITE_P
 );
 
 
+TEST(Closure, particlesBeyondAConvexEdgeHaveNoPartOfItsFaces)
+{
+    const auto scene = particleScene::New("hole", 0);
+    const auto m = scene->assemble("order 1;");
+
+    // A square hole has edges of this kind alone: nobody faces two sides
+    label nFaces = 0;
+    for (const sphPatch& patch : m->boundary())
+    {
+        if (patch.patch().name() != "hole")
+        {
+            continue;
+        }
+        nFaces += patch.size();
+        for (label s = 0; s < patch.size(); ++s)
+        {
+            for (label t = 0; t < s; ++t)
+            {
+                if (patch.owner()[s] == patch.owner()[t])
+                {
+                    EXPECT_GT(patch.Sf()[s] & patch.Sf()[t], 0);
+                }
+            }
+        }
+    }
+    EXPECT_GT(nFaces, 20);
+}
+
+
+TEST(Closure, volumesFollowTheDensityOfTheParticles)
+{
+    const auto scene = particleScene::New("periodic", 0);
+    particleSet& particles = scene->particles();
+    particles.density = scalarField(particles.points.size());
+    forAll(particles.density, i)
+    {
+        particles.density[i] = i % 2 ? 1.02 : 0.98;
+    }
+
+    // Only a closure that takes volumes from the particles asks for it
+    const auto uniform = scene->assemble("type none;");
+    EXPECT_NEAR(max(uniform->V())/min(uniform->V()), 1, 1e-13);
+
+    const auto measured = scene->assemble("order 0; sweeps 0;");
+    EXPECT_GT(max(measured->V())/min(measured->V()), 1.005);
+    EXPECT_NEAR(sum(measured->V())/sum(uniform->V()), 1, 1e-13);
+}
+
+
 TEST(Closure, variableSpacingClosesToo)
 {
     testCase::layout layout;
