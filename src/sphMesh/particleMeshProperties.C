@@ -21,6 +21,10 @@ namespace Foam
 {
 namespace SPH
 {
+    //- Raised whenever the same dictionary gives other particles, so that
+    //- what an older sphMesh made is not taken for up to date
+    static const label generationVersion = 2;
+
     //- Sub-dictionaries of sphMeshDict
     static const wordHashSet validDicts
     ({
@@ -133,6 +137,7 @@ Foam::dictionary Foam::SPH::particleMeshProperties
 
     dictionary key;
     key.add("content", word(sha.digest().str()));
+    key.add("version", generationVersion);
 
     dictionary properties;
     properties.add("digest", sphMesh::digest(mesh, key));
