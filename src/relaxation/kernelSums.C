@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "kernelSums.H"
-#include "cellGridLevels.H"
 #include "shapedKernel.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -200,57 +199,6 @@ void Foam::SPH::volumeFractions
         }
         fractions[t] = sum;
     }
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::SPH::densities
-(
-    const particleSystem& particles,
-    const kernel& W,
-    const scalar smoothingRatio,
-    const label bodyi,
-    const boolList& seen
-)
-{
-    const scalarField radius(W.cutOff()*smoothingRatio*particles.spacing);
-    const cellGridLevels grid(particles.positions(), radius, 0.5);
-
-    DynamicList<label> targets(particles.nParticles());
-    for (label i = 0; i < particles.nParticles(); ++i)
-    {
-        if (particles.role[i] == bodyi)
-        {
-            targets.append(i);
-        }
-    }
-
-    auto tsums = tmp<scalarField>::New(targets.size());
-    scalarField& sums = tsums.ref();
-
-    #pragma omp parallel for schedule(dynamic, 256)
-    for (label t = 0; t < targets.size(); ++t)
-    {
-        const label i = targets[t];
-        const vector p(particles.position(i));
-        const scalar h = smoothingRatio*particles.spacing[i];
-
-        scalar sum = 0;
-        grid.forNear
-        (
-            p,
-            [&](const scalar) { return radius[i]; },
-            [&](const label j)
-            {
-                if (seen[particles.role[j]])
-                {
-                    sum += particles.V[j]*W.W(mag(p - particles.position(j)), h);
-                }
-            }
-        );
-        sums[t] = sum;
-    }
-
-    return tsums;
 }
 
 

@@ -8,8 +8,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleGenerator.H"
+#include "fluidDensity.H"
 #include "gradedStart.H"
-#include "kernelSums.H"
 #include "latticeStart.H"
 #include "periodicImages.H"
 #include "particleRepair.H"
@@ -191,53 +191,6 @@ Foam::SPH::particleSet Foam::SPH::particleGenerator::extract
     set.spacing.transfer(spacing);
 
     return set;
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::SPH::particleGenerator::fluidDensity
-(
-    particleSystem& particles
-) const
-{
-    // The sums of square and hexagonal lattices of equal density should not
-    // differ: of the ratios that need hardly more support than the
-    // relaxation has, the best
-    const label nDims = space_.nDims();
-    const latticePattern square(latticePattern::SQUARE, nDims);
-    const latticePattern hexagonal(latticePattern::HEXAGONAL, nDims);
-
-    scalar ratio = 0;
-    scalar least = GREAT;
-    for (label step = 0; step <= 4; ++step)
-    {
-        const scalar h = domain_.bodies[0].smoothingRatio + 0.05*step;
-        const scalar difference = mag
-        (
-            square.characteristicVolume(*kernel_, h)
-           /hexagonal.characteristicVolume(*kernel_, h)
-          - 1
-        );
-        if (difference < least)
-        {
-            least = difference;
-            ratio = h;
-        }
-    }
-
-    particles.makeImages
-    (
-        domain_.low,
-        domain_.high,
-        kernel_->cutOff()*ratio*max(particles.spacing)
-    );
-
-    boolList seen(2*particles.nBodies());
-    forAll(seen, role)
-    {
-        seen[role] = method_->sees(0, role);
-    }
-
-    return densities(particles, *kernel_, ratio, 0, seen);
 }
 
 
@@ -450,7 +403,7 @@ void Foam::SPH::particleGenerator::generate()
     monitor_->write(directory/"convergence.csv");
 
     fluid_ = extract(particles, 0);
-    fluid_.density = fluidDensity(particles);
+    fluid_.density = fluidDensity(domain_, *method_, particles);
     Info<< "Densities from " << min(fluid_.density) << " to "
         << max(fluid_.density) << endl;
     if (filesCutMesh_)
