@@ -286,7 +286,7 @@ void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
 
     particleRepair repair(domain_, particles);
 
-    for (label round = 0; round <= maxRepairs; ++round)
+    for (label round = 0; ; ++round)
     {
         relaxation relaxed(domain_, *method_, particles);
         relaxed.run(*monitor_);
@@ -302,20 +302,15 @@ void Foam::SPH::particleGenerator::relaxAndRepair(particleSystem& particles)
             repair.report(Info);
             return;
         }
-        if (monitor_->disturbed())
+        // Repairs are for a few particles of a set that comes to rest
+        if (round == maxRepairs || monitor_->disturbed())
         {
-            // Repairs are for a few particles of a set that comes to rest
-            break;
+            repair.fail();
         }
-        if (round < maxRepairs)
-        {
-            Info<< "Repaired: ";
-            repair.report(Info);
-            repair.repair();
-        }
+        Info<< "Repaired: ";
+        repair.report(Info);
+        repair.repair();
     }
-
-    repair.fail();
 }
 
 

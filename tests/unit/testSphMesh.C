@@ -453,7 +453,6 @@ TEST(SurfaceVector, splitsCornersAlongBothWalls)
 }
 
 
-
 // * * * * * * * * * * * * * * *  Hidden pairs * * * * * * * * * * * * * * * //
 
 TEST(HiddenPairs, thinPlateSeparatesItsSides)

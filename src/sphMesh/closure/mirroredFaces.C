@@ -110,12 +110,14 @@ namespace SPH
 
         std::vector<shareList> shares(elements.size());
         const cellGrid grid(centres, W.support(min(data.spacing)));
+        DynamicList<label> near;
 
         forAll(points, i)
         {
             const scalar radius = W.support(data.spacing[i]);
 
             scalar nearest = radius;
+            near.clear();
             grid.forNear
             (
                 points[i],
@@ -123,33 +125,27 @@ namespace SPH
                 [&](const label e)
                 {
                     nearest = min(nearest, mag(centres[e] - points[i]));
+                    near.append(e);
                 }
             );
 
-            grid.forNear
-            (
-                points[i],
-                radius,
-                [&](const label e)
+            for (const label e : near)
+            {
+                const vector r(centres[e] - points[i]);
+                const scalar height =
+                    (space.toGlobal(r) & elements[e].Sf)/mag(elements[e].Sf);
+                const scalar front = facing(height, nearest);
+
+                if (front > 0 && magSqr(r) < radius*radius)
                 {
-                    const vector r(centres[e] - points[i]);
-                    const scalar height =
-                        (space.toGlobal(r) & elements[e].Sf)
-                       /mag(elements[e].Sf);
-                    const scalar front = facing(height, nearest);
-
-                    if (front > 0 && magSqr(r) < radius*radius)
-                    {
-                        // A positive shape, whatever the kernel is
-                        const scalar q =
-                            WendlandC2Shape::cutOff*mag(r)/radius;
-                        shares[e].push_back
-                        ({
-                            i, front*data.V[i]*WendlandC2Shape::w(q)
-                        });
-                    }
+                    // A positive shape, whatever the kernel is
+                    const scalar q = WendlandC2Shape::cutOff*mag(r)/radius;
+                    shares[e].push_back
+                    ({
+                        i, front*data.V[i]*WendlandC2Shape::w(q)
+                    });
                 }
-            );
+            }
         }
 
         for (shareList& s : shares)
