@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "boundaryStates.H"
+#include "basicSymmetryFvPatchFields.H"
 #include "cellSpacing.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -41,40 +42,6 @@ void Foam::SPH::boundaryStates::setCellWeights()
                 {centres, spacing}
             )
         );
-    }
-}
-
-
-void Foam::SPH::boundaryStates::setFaceWeights()
-{
-    const solutionSpace& space = particles_.space();
-
-    for (const sphPatch& patch : particles_.boundary())
-    {
-        if (patch.size())
-        {
-            scalarField faceSpacing(patch.patch().magSf()/space.thickness());
-            if (space.nDims() == 3)
-            {
-                faceSpacing = sqrt(faceSpacing);
-            }
-
-            const pointField from(patch.patch().Cf());
-            const pointField to(patch.Cf());
-            const scalarField toSpacing
-            (
-                scalarField(particles_.spacing(), patch.owner())
-            );
-
-            toFaces_.set
-            (
-                patch.index(),
-                new movingLeastSquares
-                (
-                    space, {from, faceSpacing}, {to, toSpacing}
-                )
-            );
-        }
     }
 }
 
@@ -113,7 +80,7 @@ template<class Type>
 void Foam::SPH::boundaryStates::copyPatch
 (
     const label patchi,
-    const fvPatchField<Type>& patchField,
+    const Field<Type>& patchField,
     const label variable,
     const direction cmpt
 )
@@ -127,21 +94,30 @@ void Foam::SPH::boundaryStates::copyPatch
     }
 
     SubList<scalar> values(value_[variable], patch.size(), patch.start());
-    toFaces_[patchi].map(patchValues_, values, true);
+    toFaces_[patchi].map(patchValues_, values);
 }
 
 
 void Foam::SPH::boundaryStates::copyPatches(const label patchi)
 {
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    // Of the velocity of a slip wall only what moves the wall counts: along an
+    // edge or a curved wall, velocities along it point through the next face
+    vectorField velocity(Up);
+    if (isA<basicSymmetryFvPatchField<vector>>(Up))
+    {
+        velocity = Zero;
+    }
+    else if (treatment_[particles_.boundary()[patchi].start()] == slip)
+    {
+        const vectorField n(Up.patch().nf());
+        velocity = n*(n & Up);
+    }
+
     for (label d = 0; d < loopDims(particles_); ++d)
     {
-        copyPatch
-        (
-            patchi,
-            U_.boundaryField()[patchi],
-            1 + d,
-            particles_.space().axis(d)
-        );
+        copyPatch(patchi, velocity, 1 + d, particles_.space().axis(d));
     }
 
     for (const scalarVariable& s : scalars_)
@@ -188,12 +164,16 @@ Foam::SPH::boundaryStates::boundaryStates
 {
     classify(viscous);
     setCellWeights();
-    setFaceWeights();
 
     for (const sphPatch& patch : particles.boundary())
     {
         if (patch.size())
         {
+            toFaces_.set
+            (
+                patch.index(),
+                new patchReconstruction(patch, particles.space())
+            );
             copyPatches(patch.index());
         }
     }
@@ -202,12 +182,21 @@ Foam::SPH::boundaryStates::boundaryStates
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::SPH::boundaryStates::correct(const slicedField& W)
+void Foam::SPH::boundaryStates::correct
+(
+    const slicedField& W,
+    const scalar timeLeft
+)
 {
     if (evaluatedPatches_.empty())
     {
         return;
     }
+
+    // Boundary conditions ask the case for the time
+    Time& time = const_cast<Time&>(U_.time());
+    const scalar timeValue = time.value();
+    time.setTime(timeValue - timeLeft, time.timeIndex());
 
     setCells(W);
 
@@ -225,6 +214,8 @@ void Foam::SPH::boundaryStates::correct(const slicedField& W)
         }
         copyPatches(patchi);
     }
+
+    time.setTime(timeValue, time.timeIndex());
 }
 
 

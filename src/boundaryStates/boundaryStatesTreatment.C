@@ -12,6 +12,7 @@ License
 #include "fixedNormalSlipFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "noSlipFvPatchVectorField.H"
+#include "slipFvPatchFields.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -96,6 +97,12 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
                 << exit(FatalError);
         }
 
+        // Symmetry gives the gradient along the normal
+        const bool mirrored =
+            isA<basicSymmetryFvPatchField<vector>>(Up)
+         && !isA<slipFvPatchField<vector>>(Up)
+         && !(patch.size() && contact(patch.start()));
+
         bool evaluate =
             type != slip && !isGiven(Up) && !isOwn(Up);
 
@@ -103,7 +110,8 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         {
             const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
             const bool own = isOwn(sp);
-            const bool fixed = sp.fixesValue() && (type == open || viscous);
+            const bool fixed = 
+                mirrored || (sp.fixesValue() && (type == open || viscous));
 
             SubList<bool>(own_[s.variable], patch.size(), patch.start()) = own;
             SubList<bool>(fixed_[s.variable], patch.size(), patch.start()) =
@@ -113,7 +121,8 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         }
 
         const bool UFixed =
-            type != slip && (Up.fixesValue() || type == noSlip);
+            mirrored
+         || (type != slip && (Up.fixesValue() || type == noSlip));
 
         for (label d = 0; d < loopDims(particles_); ++d)
         {

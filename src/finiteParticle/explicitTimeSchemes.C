@@ -20,8 +20,8 @@ namespace SPH
 {
 
 //- Strong-stability preserving Runge-Kutta schemes as repeated Euler steps
-//- Q = a Q0 + (1 - a)(Q + dt dQ/dt); Shu and Osher, J. Comput. Phys. 77
-//- (1988) 439
+//- Q = a Q0 + (1 - a)(Q + dt dQ/dt) from the start, where time goes the same
+//- way; Shu and Osher, J. Comput. Phys. 77 (1988) 439
 template<int nOldWeights>
 class SSPRungeKutta
 :
@@ -35,18 +35,21 @@ protected:
     (
         conservationLaw& law,
         faceStates& faces,
-        const scalar dt
+        const scalar dt,
+        const scalar timeLeft
     ) const
     {
+        scalar elapsed = 0;
         for (int stage = 0; stage < nOldWeights; ++stage)
         {
             const scalar a = oldWeights()[stage];
 
-            evaluate(law, faces);
+            evaluate(law, faces, timeLeft + dt - elapsed);
             if (!law.update(a, (1 - a)*dt, 0, law.nVariables()))
             {
                 return false;
             }
+            elapsed = (1 - a)*(elapsed + dt);
         }
         return true;
     }
@@ -121,18 +124,19 @@ class symplecticEuler
     (
         conservationLaw& law,
         faceStates& faces,
-        const scalar dt
+        const scalar dt,
+        const scalar timeLeft
     ) const
     {
         const label firstAfter = 1 + loopDims(law.particles());
 
-        evaluate(law, faces);
+        evaluate(law, faces, timeLeft + dt);
         if (!law.update(0, dt, 1, firstAfter))
         {
             return false;
         }
 
-        evaluate(law, faces);
+        evaluate(law, faces, timeLeft);
         return
             law.update(0, dt, 0, 1)
          && law.update(0, dt, firstAfter, law.nVariables());

@@ -78,20 +78,20 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         vars stateJ(J);
         if constexpr (Limiter::linear)
         {
+            vars stepI(vars::zero());
+            vars stepJ(vars::zero());
             for (int v = 0; v < nVars; ++v)
             {
-                scalar stepI = 0;
-                scalar stepJ = 0;
                 for (int d = 0; d < nDims; ++d)
                 {
                     const scalar half = 0.5*sign*delta[d];
                     const scalar skew = skews[d][e];
-                    stepI += G[v*nDims + d][i]*(skew + half);
-                    stepJ += G[v*nDims + d][j]*(skew - half);
+                    stepI[v] += G[v*nDims + d][i]*(skew + half);
+                    stepJ[v] += G[v*nDims + d][j]*(skew - half);
                 }
-                stateI[v] += Limiter::increment(stepI, J[v] - I[v]);
-                stateJ[v] += Limiter::increment(stepJ, I[v] - J[v]);
             }
+            stateI = flux.template limitedState<Limiter>(I, J, stepI);
+            stateJ = flux.template limitedState<Limiter>(J, I, stepJ);
 
             const bool physical =
                 flux.physical(stateI) & flux.physical(stateJ);

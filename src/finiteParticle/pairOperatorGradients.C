@@ -87,14 +87,29 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 
     for (const label facei : faces_.faces(k))
     {
+        // At a plane of symmetry the normal velocity is zero, and nothing else
+        // differs from the particle
+        const bool mirrored = faces_.type(facei) == faceStates::slip;
+        vars mirroredStep(vars::zero());
+        for (int d = 0; mirrored && d < nDims; ++d)
+        {
+            for (int b = 0; b < nDims; ++b)
+            {
+                mirroredStep[1 + d] -=
+                    W_[1 + b][i]*faces_.n()[facei][b]*faces_.n()[facei][d];
+            }
+        }
+
         for (int v = 0; v < nVars; ++v)
         {
             if (faces_.fixed(v, facei))
             {
                 const slicedField& B = (*gradientWeights_)[v];
-                const scalar difference =
-                    faces_.magSf()[facei]
-                   *(faces_.value(v, facei) - W_[v][i]);
+                const scalar step =
+                    mirrored
+                  ? mirroredStep[v]
+                  : faces_.value(v, facei) - W_[v][i];
+                const scalar difference = faces_.magSf()[facei]*step;
 
                 for (int a = 0; a < nDims; ++a)
                 {

@@ -23,9 +23,14 @@ namespace SPH
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::SPH::timeScheme::evaluate(conservationLaw& law, faceStates& faces)
+void Foam::SPH::timeScheme::evaluate
+(
+    conservationLaw& law,
+    faceStates& faces,
+    const scalar timeLeft
+)
 {
-    faces.correct(law.W());
+    faces.correct(law.W(), timeLeft);
     law.evaluate();
 }
 
@@ -60,12 +65,13 @@ bool Foam::SPH::timeScheme::advance
 (
     conservationLaw& law,
     faceStates& faces,
-    const scalar dt
+    const scalar dt,
+    const scalar timeLeft
 ) const
 {
     law.store();
 
-    const bool physical = stages(law, faces, dt);
+    const bool physical = stages(law, faces, dt, timeLeft);
     if (!physical)
     {
         law.restore();

@@ -33,14 +33,19 @@ Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
 }
 
 
-void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
+void Foam::SPH::flowSolver::step
+(
+    const scalar dt,
+    const scalar timeLeft,
+    const label nHalvings
+)
 {
     constexpr label maxHalvings = 8;
 
     label nDropped = 0;
     do
     {
-        if (timeScheme_->advance(*law_, *faces_, dt))
+        if (timeScheme_->advance(*law_, *faces_, dt, timeLeft))
         {
             faces_->follow(law_->W(), dt);
             law_->resumeReconstruction();
@@ -62,8 +67,8 @@ void Foam::SPH::flowSolver::step(const scalar dt, const label nHalvings)
     }
 
     ++nHalved_;
-    step(0.5*dt, nHalvings + 1);
-    step(0.5*dt, nHalvings + 1);
+    step(0.5*dt, timeLeft + 0.5*dt, nHalvings + 1);
+    step(0.5*dt, timeLeft, nHalvings + 1);
 }
 
 

@@ -139,7 +139,7 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
         [](const scalar value) { return value >= 0; }
     );
 
-    faces_->correct(law_->W());
+    faces_->correct(law_->W(), 0);
     faces_->startFollowing(tau, law_->W());
 
     const scalarIOField stored(outerStateIO());
