@@ -98,6 +98,11 @@ void Foam::SPH::patchReconstruction::map
             highest = max(highest, difference);
         }
 
+        // Round-off across the gradient must not count as an extremum
+        const scalar slack = 1e-13*(highest - lowest);
+        lowest -= slack;
+        highest += slack;
+
         scalar limiter = 1;
         for (label k = start_[facei]; k < start_[facei + 1]; ++k)
         {

@@ -1,0 +1,289 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "boundaryStates.H"
+#include "particleScene.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Particle mesh of a scene
+struct closedScene
+{
+    std::unique_ptr<particleScene> scene;
+    std::unique_ptr<sphMesh> particles;
+
+    explicit closedScene(const word& name)
+    :
+        scene(particleScene::New(name, 0.3)),
+        particles(scene->assemble("type consistent; order 0;"))
+    {}
+
+    //- Call f(patch, values on its FVM faces, values on its boundary faces)
+    //- for all patches, values given by their FVM faces' centres
+    template<class Value, class Function>
+    void reconstruct(const Value& value, const Function& f) const
+    {
+        for (const sphPatch& patch : particles->boundary())
+        {
+            if (patch.size())
+            {
+                const vectorField& centres = patch.patch().Cf();
+                scalarField from(centres.size());
+                forAll(from, facei)
+                {
+                    from[facei] = value(centres[facei]);
+                }
+                scalarField to(patch.size());
+                patchReconstruction(patch, particles->space()).map(from, to);
+                f(patch, from, to);
+            }
+        }
+    }
+};
+
+
+//- Fields of a weakly compressible flow, and their boundary states
+struct flowStates
+{
+    volVectorField U;
+    volScalarField p;
+    surfaceScalarField phi;
+    std::unique_ptr<boundaryStates> states;
+
+    flowStates
+    (
+        const sphMesh& particles,
+        const dictionary& UDict,
+        const dictionary& pDict
+    )
+    :
+        U(io("U", particles), particles.mesh(), UDict),
+        p(io("p", particles), particles.mesh(), pDict),
+        phi
+        (
+            io("phi", particles),
+            particles.mesh(),
+            dimensionedScalar(dimVolume/dimTime, Zero)
+        )
+    {
+        std::vector<boundaryStates::scalarVariable> scalars;
+        scalars.push_back({p, 0});
+        states = std::make_unique<boundaryStates>
+        (
+            particles, U, scalars, phi, false
+        );
+    }
+
+    static IOobject io(const word& name, const sphMesh& particles)
+    {
+        const fvMesh& mesh = particles.mesh();
+        return IOobject(name, mesh.time().timeName(), mesh);
+    }
+
+    //- A field's dictionary from its text
+    static dictionary dict
+    (
+        const std::string& dimensions,
+        const std::string& value,
+        const std::string& patches
+    )
+    {
+        return dictionary
+        (
+            IStringStream
+            (
+                "dimensions " + dimensions + "; internalField uniform "
+              + value + "; boundaryField { \".*\" { " + patches
+              + " } frontAndBack { type empty; } }"
+            )()
+        );
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Values  * * * * * * * * * * * * * * * * //
+
+TEST(PatchReconstruction, LinearFunctionsAreExactOnPlanePatches)
+{
+    const auto linear = [](const point& x)
+    {
+        return 0.3 + 2*x.x() - 0.7*x.y();
+    };
+
+    for (const word name : {"box", "channel", "cube"})
+    {
+        closedScene(name).reconstruct
+        (
+            linear,
+            [&]
+            (
+                const sphPatch& patch,
+                const scalarField&,
+                const scalarField& to
+            )
+            {
+                for (label k = 0; k < patch.size(); ++k)
+                {
+                    EXPECT_NEAR(to[k], linear(patch.Cf()[k]), 1e-12)
+                        << name << ' ' << patch.name();
+                }
+            }
+        );
+    }
+}
+
+
+TEST(PatchReconstruction, TheMeanOverAnFvmFaceIsItsValue)
+{
+    for (const word name : {"hole", "cube"})
+    {
+        const closedScene scene(name);
+        Random random(7);
+
+        scene.reconstruct
+        (
+            [&](const point&) { return random.sample01<scalar>(); },
+            [&]
+            (
+                const sphPatch& patch,
+                const scalarField& from,
+                const scalarField& to
+            )
+            {
+                scalarField flow(from*patch.patch().magSf());
+                for (label k = 0; k < patch.size(); ++k)
+                {
+                    flow[patch.face()[k]] -= to[k]*mag(patch.Sf()[k]);
+                }
+                EXPECT_LT(max(mag(flow)), 1e-13*max(patch.patch().magSf()))
+                    << name << ' ' << patch.name();
+            }
+        );
+    }
+}
+
+
+TEST(PatchReconstruction, AJumpStaysBetweenTwoFaces)
+{
+    const closedScene scene("box");
+    scene.reconstruct
+    (
+        [](const point& x) { return x.x() + x.y() < 0.8 ? 116.5 : 1; },
+        [&]
+        (
+            const sphPatch& patch,
+            const scalarField& from,
+            const scalarField& to
+        )
+        {
+            for (label k = 0; k < patch.size(); ++k)
+            {
+                EXPECT_NEAR(to[k], from[patch.face()[k]], 1e-10)
+                    << patch.name();
+            }
+        }
+    );
+}
+
+
+TEST(BoundaryStates, SlipWallsAroundAnEdgeDoNotBlow)
+{
+    const closedScene scene("hole");
+
+    for (const char* type : {"slip", "fixedNormalSlip"})
+    {
+        const flowStates flow
+        (
+            *scene.particles,
+            flowStates::dict
+            (
+                "[0 1 -1 0 0 0 0]",
+                "(3 0 0)",
+                std::string("type ") + type
+              + "; fixedValue uniform (0 0 0); value uniform (3 0 0);"
+            ),
+            flowStates::dict
+            (
+                "[0 2 -2 0 0 0 0]", "0", "type zeroGradient;"
+            )
+        );
+
+        label nFaces = 0;
+        for (const sphPatch& patch : scene.particles->boundary())
+        {
+            for
+            (
+                label facei = patch.start();
+                facei < patch.start() + patch.size();
+                ++facei
+            )
+            {
+                ++nFaces;
+                const vector n(flow.states->n()[facei]);
+                ASSERT_EQ(flow.states->type(facei), faceStates::slip);
+                EXPECT_EQ
+                (
+                    flow.states->value(1, facei)*n[0]
+                  + flow.states->value(2, facei)*n[1],
+                    0
+                )   << type << ' ' << patch.name();
+            }
+        }
+        EXPECT_GT(nFaces, 50);
+    }
+}
+
+
+TEST(BoundaryStates, ConditionsGetTheTimeOfTheStage)
+{
+    const closedScene scene("box");
+    const flowStates flow
+    (
+        *scene.particles,
+        flowStates::dict("[0 1 -1 0 0 0 0]", "(0 0 0)", "type zeroGradient;"),
+        flowStates::dict
+        (
+            "[0 2 -2 0 0 0 0]",
+            "0",
+            "type uniformFixedValue; uniformValue table ((0 0) (10 20));"
+        )
+    );
+
+    Time& time = scene.scene->files().time();
+    time.setTime(5, 1);
+    const slicedField W(3, slicedField::slices(scene.particles->nParticles()));
+
+    for (const scalar timeLeft : {0.0, 0.5, 3.0})
+    {
+        flow.states->correct(W, timeLeft);
+        for (label facei = 0; facei < flow.states->size(); ++facei)
+        {
+            EXPECT_NEAR
+            (
+                flow.states->value(0, facei), 2*(5 - timeLeft), 1e-13
+            );
+        }
+        EXPECT_EQ(time.value(), 5);
+        EXPECT_EQ(time.timeIndex(), 1);
+    }
+}
+
+
+// ************************************************************************* //
