@@ -282,7 +282,10 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::reflectedFlux
         }
     }
 
-    return flux_.totalFlux(flux_.pairFlux(L, solid, I, n), I, n);
+    return totalFlux<nDims>
+    (
+        flux_.pairFlux(L, solid, I, n), flux_.flux(I, n), flux_.massFactor()
+    );
 }
 
 
