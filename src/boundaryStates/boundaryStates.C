@@ -196,7 +196,10 @@ void Foam::SPH::boundaryStates::correct
     // Boundary conditions ask the case for the time
     Time& time = const_cast<Time&>(U_.time());
     const scalar timeValue = time.value();
-    time.setTime(timeValue - timeLeft, time.timeIndex());
+    if (timeLeft > 0)
+    {
+        time.setTime(timeValue - timeLeft, time.timeIndex());
+    }
 
     setCells(W);
 
@@ -215,7 +218,10 @@ void Foam::SPH::boundaryStates::correct
         copyPatches(patchi);
     }
 
-    time.setTime(timeValue, time.timeIndex());
+    if (timeLeft > 0)
+    {
+        time.setTime(timeValue, time.timeIndex());
+    }
 }
 
 
