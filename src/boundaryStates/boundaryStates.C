@@ -227,7 +227,8 @@ void Foam::SPH::boundaryStates::correct
 
 void Foam::SPH::boundaryStates::info(Ostream& os) const
 {
-    static const char* names[] = {"open", "no-slip wall", "slip wall"};
+    static const char* names[] =
+        {"open", "given velocity", "no-slip wall", "slip wall"};
 
     for (const sphPatch& patch : particles_.boundary())
     {

@@ -13,6 +13,8 @@ License
 #include "fixedValueFvPatchFields.H"
 #include "noSlipFvPatchVectorField.H"
 #include "slipFvPatchFields.H"
+#include "totalPressureFvPatchScalarField.H"
+#include "uniformTotalPressureFvPatchScalarField.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -41,6 +43,25 @@ bool Foam::SPH::boundaryStates::crosses(const fvPatchVectorField& Up)
     return
         isGiven(Up)
      && gMax(mag(Up & Up.patch().nf())()) > 1e-6*gMax(mag(Up)());
+}
+
+
+bool Foam::SPH::boundaryStates::givesFlux(const label patchi) const
+{
+    bool gives = isA<fixedValueFvPatchVectorField>(U_.boundaryField()[patchi]);
+
+    for (const scalarVariable& s : scalars_)
+    {
+        // Total pressure follows from the flow inside
+        const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
+        gives =
+            gives
+         && (isOwn(sp) || isA<fixedValueFvPatchScalarField>(sp))
+         && !isA<totalPressureFvPatchScalarField>(sp)
+         && !isA<uniformTotalPressureFvPatchScalarField>(sp);
+    }
+
+    return gives;
 }
 
 
@@ -73,7 +94,7 @@ Foam::SPH::boundaryStates::patchTreatment
         return viscous ? noSlip : slip;
     }
 
-    return open;
+    return givesFlux(patchi) ? given : open;
 }
 
 
@@ -86,8 +107,9 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         const label patchi = patch.index();
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const treatment type = patchTreatment(patchi, viscous);
+        const bool reflecting = type == slip || type == noSlip;
 
-        if (type == open && patch.size() && contact(patch.start()))
+        if (!reflecting && patch.size() && contact(patch.start()))
         {
             FatalErrorInFunction
                 << "Patch " << patch.name() << " has solid particles behind"
@@ -110,8 +132,8 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         {
             const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
             const bool own = isOwn(sp);
-            const bool fixed = 
-                mirrored || (sp.fixesValue() && (type == open || viscous));
+            const bool fixed =
+                mirrored || (sp.fixesValue() && (!reflecting || viscous));
 
             SubList<bool>(own_[s.variable], patch.size(), patch.start()) = own;
             SubList<bool>(fixed_[s.variable], patch.size(), patch.start()) =
@@ -127,7 +149,7 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         for (label d = 0; d < loopDims(particles_); ++d)
         {
             SubList<bool>(own_[1 + d], patch.size(), patch.start()) =
-                type == open && isOwn(Up);
+                !reflecting && isOwn(Up);
             SubList<bool>(fixed_[1 + d], patch.size(), patch.start()) = UFixed;
         }
 

@@ -216,7 +216,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
 
     if constexpr (Limiter::linear)
     {
-        if (Limiter::limitsPairs && faces_.type(facei) == faceStates::open)
+        if (Limiter::limitsPairs && !faces_.reflects(facei))
         {
             return I;
         }
@@ -363,7 +363,9 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
         const auto type = faces_.type(facei);
         const typename Flux::faceFlux F
         (
-            type == faceStates::open
+            type == faceStates::given
+          ? flux_.givenFlux(L, absorbing, I, n)
+          : type == faceStates::open
           ? flux_.openFlux(L, absorbing, I, n)
           : reflectedFlux(L, outer, I, n, facei)
         );
