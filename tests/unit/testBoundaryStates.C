@@ -251,6 +251,37 @@ TEST(BoundaryStates, SlipWallsAroundAnEdgeDoNotBlow)
 }
 
 
+TEST(BoundaryStates, AGivenVelocityGivesTheFluxOfWhatFlowsIn)
+{
+    const closedScene scene("box");
+    const auto type = [&](const char* U, const char* p)
+    {
+        const flowStates flow
+        (
+            *scene.particles,
+            flowStates::dict("[0 1 -1 0 0 0 0]", "(1 0 0)", U),
+            flowStates::dict("[0 2 -2 0 0 0 0]", "0", p)
+        );
+        return flow.states->type(0);
+    };
+    const char* fixed = "type fixedValue; value $internalField;";
+    const char* own = "type zeroGradient;";
+
+    EXPECT_EQ(type(fixed, own), faceStates::given);
+    EXPECT_EQ(type(fixed, fixed), faceStates::given);
+    EXPECT_EQ(type(own, fixed), faceStates::open);
+    EXPECT_EQ
+    (
+        type
+        (
+            "type pressureInletVelocity; value uniform (0 0 0);",
+            "type totalPressure; p0 uniform 1; value uniform 0;"
+        ),
+        faceStates::open
+    );
+}
+
+
 TEST(BoundaryStates, ConditionsGetTheTimeOfTheStage)
 {
     const closedScene scene("box");
