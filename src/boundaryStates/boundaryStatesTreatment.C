@@ -107,7 +107,7 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
         const label patchi = patch.index();
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
         const treatment type = patchTreatment(patchi, viscous);
-        const bool reflecting = type == slip || type == noSlip;
+        const bool reflecting = reflects(type);
 
         if (!reflecting && patch.size() && contact(patch.start()))
         {

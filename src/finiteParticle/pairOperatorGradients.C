@@ -84,31 +84,31 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 )
 {
     const label i = faces_.owners()[k];
+    const vars I(load(W_, i));
 
     for (const label facei : faces_.faces(k))
     {
+        vec n;
+        for (int d = 0; d < nDims; ++d)
+        {
+            n[d] = faces_.n()[facei][d];
+        }
+
         // At a plane of symmetry the normal velocity is zero, and nothing else
         // differs from the particle
         const bool mirrored = faces_.type(facei) == faceStates::slip;
-        vars mirroredStep(vars::zero());
-        for (int d = 0; mirrored && d < nDims; ++d)
-        {
-            for (int b = 0; b < nDims; ++b)
-            {
-                mirroredStep[1 + d] -=
-                    W_[1 + b][i]*faces_.n()[facei][b]*faces_.n()[facei][d];
-            }
-        }
+        const scalar through = normalVelocity(I, n);
 
         for (int v = 0; v < nVars; ++v)
         {
             if (faces_.fixed(v, facei))
             {
                 const slicedField& B = (*gradientWeights_)[v];
+                const bool velocity = v >= 1 && v <= nDims;
                 const scalar step =
-                    mirrored
-                  ? mirroredStep[v]
-                  : faces_.value(v, facei) - W_[v][i];
+                    !mirrored ? faces_.value(v, facei) - I[v]
+                  : velocity ? -through*n[v - 1]
+                  : 0;
                 const scalar difference = faces_.magSf()[facei]*step;
 
                 for (int a = 0; a < nDims; ++a)
@@ -117,7 +117,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
                     {
                         G_[v*nDims + a][i] +=
                             B[a*nDims + b][i]
-                           *difference*faces_.n()[facei][b];
+                           *difference*n[b];
                     }
                 }
             }
