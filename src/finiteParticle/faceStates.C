@@ -13,7 +13,7 @@ License
 
 Foam::SPH::faceStates::faceStates
 (
-    const sphMesh& particles,
+    const particleMesh& particles,
     const label nVariables
 )
 :

@@ -16,7 +16,7 @@ License
 
 Foam::tensorField Foam::SPH::gradientWeights::pairMoments
 (
-    const sphMesh& particles
+    const particleMesh& particles
 )
 {
     tensorField M(particles.nParticles(), Zero);
@@ -90,7 +90,7 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
     group_(faces.nVariables()),
     nDeficient_(0)
 {
-    const sphMesh& particles = faces.particles();
+    const particleMesh& particles = faces.particles();
     const label nDims = loopDims(particles);
     const tensorField moments(pairMoments(particles));
 

@@ -11,7 +11,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::pairSlices::pairSlices(const sphMesh& particles)
+Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
 :
     start_(slicedField::slices(particles.nParticles()) + 1)
 {

@@ -74,7 +74,7 @@ bool Foam::SPH::sphForces::integrate()
         return false;
     }
 
-    const sphMesh& particles = solver->particles();
+    const particleMesh& particles = solver->particles();
     const solutionSpace& space = particles.space();
     const faceStates& faces = solver->faces();
     const scalar rho = solver->kinematic() ? rhoRef_ : 1;
@@ -84,7 +84,7 @@ bool Foam::SPH::sphForces::integrate()
 
     for (const label patchi : patches_)
     {
-        const sphPatch& patch = particles.boundary()[patchi];
+        const particlePatch& patch = particles.boundary()[patchi];
 
         for
         (

@@ -112,7 +112,7 @@ void Foam::SPH::kernel::normalise()
 Foam::SPH::kernel::kernel(const dictionary& dict, const label nDims)
 :
     nDims_(nDims),
-    smoothingRatio_(dict.lookupOrDefault<scalar>("smoothingRatio", 1.3)),
+    smoothingRatio_(dict.lookupOrDefault<scalar>("smoothingRatio", 0.9)),
     sigma_(0),
     sigmaLine_(0),
     latticeMoment_(0)

@@ -12,16 +12,18 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::meshToParticles::meshToParticles(const sphMesh& particles)
+Foam::SPH::meshToParticles::meshToParticles
+(
+    const fvMesh& mesh,
+    const pointField& points,
+    const scalarField& spacing
+)
 :
     weights_
     (
-        particles.space(),
-        {
-            particles.mesh().cellCentres(),
-            cellSpacing(particles.space(), particles.mesh())
-        },
-        {particles.C(), particles.spacing()}
+        solutionSpace(mesh),
+        {mesh.cellCentres(), cellSpacing(solutionSpace(mesh), mesh)},
+        {points, spacing}
     )
 {}
 

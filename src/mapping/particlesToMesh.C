@@ -9,32 +9,75 @@ License
 
 #include "particlesToMesh.H"
 #include "cellSpacing.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::SPH::movingLeastSquares::cloud
-Foam::SPH::particlesToMesh::sources() const
-{
-    return {particles_.C(), particles_.spacing()};
-}
-
+#include "OSspecific.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::particlesToMesh::particlesToMesh(const sphMesh& particles)
+Foam::SPH::particlesToMesh::particlesToMesh
+(
+    const fvMesh& mesh,
+    const particleResults& particles
+)
 :
+    mesh_(mesh),
     particles_(particles),
     cells_
     (
-        particles.space(),
-        sources(),
-        {
-            particles.mesh().cellCentres(),
-            cellSpacing(particles.space(), particles.mesh())
-        }
-    ),
-    patches_(particles.mesh().boundary().size())
+        solutionSpace(mesh),
+        {particles.mesh().cellCentres(), particles.spacing()},
+        {mesh.cellCentres(), cellSpacing(solutionSpace(mesh), mesh)}
+    )
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::SPH::particlesToMesh::write
+(
+    const wordRes& names,
+    const bool newer
+) const
+{
+    const Time& runTime = mesh_.time();
+    const IOobjectList fields
+    (
+        particles_.fields(instant(runTime.value(), runTime.timeName()))
+    );
+
+    label nMapped = 0;
+    for (const word& name : fields.sortedNames())
+    {
+        const IOobject& io = *fields[name];
+        const fileName mapped
+        (
+            runTime.timePath()/particleResults::volName(name)
+        );
+
+        if
+        (
+            (names.size() && !names.match(name))
+         || name.ends_with("_0")
+         || (newer && highResLastModified(mapped)
+           > highResLastModified(io.objectPath()))
+        )
+        {
+            continue;
+        }
+
+        if
+        (
+            mapType<scalar>(io)
+         || mapType<vector>(io)
+         || mapType<sphericalTensor>(io)
+         || mapType<symmTensor>(io)
+         || mapType<tensor>(io)
+        )
+        {
+            ++nMapped;
+        }
+    }
+    return nMapped;
+}
 
 
 // ************************************************************************* //

@@ -8,59 +8,94 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particlesToMesh.H"
+#include "calculatedFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::SPH::particlesToMesh::mapType(const IOobject& io) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    if (io.headerClassName() != fieldType::typeName)
+    {
+        return false;
+    }
+
+    const tmp<fieldType> tmapped(map(particles_.read<Type>(io)()));
+    if (!tmapped().write())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << tmapped().objectPath() << exit(FatalError);
+    }
+
+    Info<< "    " << io.name() << " -> " << tmapped().name() << nl;
+    return true;
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Type>
-void Foam::SPH::particlesToMesh::mapInternal
+Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::SPH::particlesToMesh::map
 (
-    const Field<Type>& particleValues,
-    GeometricField<Type, fvPatchField, volMesh>& result
+    const GeometricField<Type, fvPatchField, volMesh>& field
 ) const
 {
-    cells_.map(particleValues, result.primitiveFieldRef());
-}
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
 
-
-template<class Type>
-void Foam::SPH::particlesToMesh::map
-(
-    const Field<Type>& particleValues,
-    GeometricField<Type, fvPatchField, volMesh>& result
-) const
-{
-    mapInternal(particleValues, result);
-    result.correctBoundaryConditions();
-}
-
-
-template<class Type>
-Foam::tmp<Foam::Field<Type>> Foam::SPH::particlesToMesh::mapToPatch
-(
-    const Field<Type>& particleValues,
-    const label patchi
-) const
-{
-    const fvPatch& patch = particles_.mesh().boundary()[patchi];
-
-    if (!patches_.set(patchi))
-    {
-        patches_.set
+    auto tmapped = tmp<fieldType>::New
+    (
+        IOobject
         (
-            patchi,
-            new movingLeastSquares
-            (
-                particles_.space(),
-                sources(),
-                {patch.Cf(), scalarField(patch.size(), Zero)}
-            )
-        );
+            particleResults::volName(field.name()),
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensioned<Type>(field.dimensions(), Zero)
+    );
+    fieldType& mapped = tmapped.ref();
+    cells_.map(field.primitiveField(), mapped.primitiveFieldRef());
+
+    const label nInternal = particles_.mesh().nInternalFaces();
+    for (fvPatchField<Type>& patchField : mapped.boundaryFieldRef())
+    {
+        if (!isA<calculatedFvPatchField<Type>>(patchField))
+        {
+            continue;
+        }
+
+        const label patchi = patchField.patch().index();
+        const fvPatchField<Type>& from = field.boundaryField()[patchi];
+        const labelList& face = particles_.boundaryFace();
+        const label start = from.patch().start() - nInternal;
+
+        Field<Type> sum(patchField.size(), Zero);
+        scalarField area(patchField.size(), Zero);
+        forAll(from, k)
+        {
+            const label facei = face[start + k];
+            sum[facei] += from.patch().magSf()[k]*from[k];
+            area[facei] += from.patch().magSf()[k];
+        }
+
+        // Faces of which no particle has a part take the cell's value
+        const Field<Type> inner(patchField.patchInternalField());
+        forAll(sum, facei)
+        {
+            sum[facei] =
+                area[facei] > 0 ? Type(sum[facei]/area[facei]) : inner[facei];
+        }
+        patchField == sum;
     }
+    mapped.correctBoundaryConditions();
 
-    tmp<Field<Type>> tvalues(new Field<Type>(patch.size()));
-    patches_[patchi].map(particleValues, tvalues.ref());
-
-    return tvalues;
+    return tmapped;
 }
 
 

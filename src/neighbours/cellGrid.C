@@ -72,4 +72,37 @@ Foam::SPH::cellGrid::cellGrid(const UList<vector>& points, const scalar size)
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::SPH::cellGrid::nearest
+(
+    const UList<vector>& points,
+    const vector& p,
+    scalar radius
+) const
+{
+    label best = -1;
+    for (; best < 0 && points.size(); radius *= 2)
+    {
+        forNear
+        (
+            p,
+            radius,
+            [&](const label j)
+            {
+                if
+                (
+                    best < 0
+                 || magSqr(points[j] - p) < magSqr(points[best] - p)
+                )
+                {
+                    best = j;
+                }
+            }
+        );
+    }
+    return best;
+}
+
+
 // ************************************************************************* //

@@ -10,109 +10,71 @@ License
 #include "compressibleFlow.H"
 #include "compressibleStates.H"
 #include "linear.H"
-#include "meshToParticles.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::SPH::compressibleFlow::stateNames() const
+Foam::List<Foam::scalarField>
+Foam::SPH::compressibleFlow::conservedStart() const
 {
-    return {"rho", "rhoU", "rhoE"};
+    List<scalarField> Q;
+    if
+    (
+        hasField(rho_.name())
+     && hasField(rhoU_.name())
+     && hasField(rhoE_.name())
+    )
+    {
+        Q.append(storedRho_);
+        appendComponents(rhoU_, Q);
+        Q.append(rhoE_.primitiveField());
+    }
+    return Q;
 }
 
 
 Foam::List<Foam::scalarField>
-Foam::SPH::compressibleFlow::initialState() const
+Foam::SPH::compressibleFlow::primitiveStart() const
 {
-    const meshToParticles toParticles(particles_);
-    const vectorField U(toParticles.map(U_));
-    const label nDims = loopDims(particles_);
-
-    List<scalarField> W(2 + nDims);
-    W[0] = toParticles.map(T_);
-    for (label d = 0; d < nDims; ++d)
+    for (const volScalarField* field : {&T_, &p_})
     {
-        W[1 + d] = U.component(particles_.space().axis(d));
-    }
-    W[1 + nDims] = toParticles.map(p_);
-    keepJumps(W);
-
-    for (const label v : {label(0), 1 + nDims})
-    {
-        if (min(W[v]) <= 0)
+        if (min(field->primitiveField()) <= 0)
         {
             FatalErrorInFunction
-                << "Field " << (v == 0 ? "T" : "p") << " in "
-                << runTime_.timePath() << " has values that are not positive"
-                << exit(FatalError);
+                << "Field " << field->name() << " in " << runTime_.timePath()
+                << " has values that are not positive" << exit(FatalError);
         }
     }
 
+    List<scalarField> W;
+    W.append(T_.primitiveField());
+    appendComponents(U_, W);
+    W.append(p_.primitiveField());
     return W;
 }
 
 
-void Foam::SPH::compressibleFlow::keepJumps(List<scalarField>& W) const
+void Foam::SPH::compressibleFlow::updateFields()
 {
-    // Of a cell's value: more than smooth fields change over half a cell
-    constexpr scalar jump = 0.1;
-
     const label nDims = loopDims(particles_);
-    const labelList& cells = particles_.cells();
 
-    forAll(cells, i)
-    {
-        const scalar T = T_[cells[i]];
-        const scalar p = p_[cells[i]];
+    getVelocity(U_);
+    getMomentum(rhoU_);
+    T_.primitiveFieldRef() = law_->primitive(0);
+    p_.primitiveFieldRef() = law_->primitive(1 + nDims);
+    rhoE_.primitiveFieldRef() = law_->conserved(1 + nDims);
 
-        if (mag(W[0][i] - T) > jump*T || mag(W[1 + nDims][i] - p) > jump*p)
-        {
-            W[0][i] = T;
-            for (label d = 0; d < nDims; ++d)
-            {
-                W[1 + d][i] = U_[cells[i]][particles_.space().axis(d)];
-            }
-            W[1 + nDims][i] = p;
-        }
-    }
-}
-
-
-Foam::volScalarField& Foam::SPH::compressibleFlow::density()
-{
-    return particles_.mesh().lookupObjectRef<volScalarField>("rho");
-}
-
-
-void Foam::SPH::compressibleFlow::mapFields()
-{
-    toMesh().map(velocity()(), U_);
-    toMesh().map(law_->primitive(0)(), T_);
-    toMesh().map(law_->primitive(1 + loopDims(particles_))(), p_);
-
+    U_.correctBoundaryConditions();
+    T_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
     static_cast<compressibleStates&>(*faces_).correctDensity();
-    toMesh().mapInternal(law_->conserved(0)(), density());
-    phi_ = linearInterpolate(density())*volumeFlux(U_);
-}
+    rho_.primitiveFieldRef() = law_->conserved(0);
 
-
-void Foam::SPH::compressibleFlow::writeFields()
-{
-    const label nDims = loopDims(particles_);
-    const scalarField T(law_->primitive(0));
-    const scalarField p(law_->primitive(1 + nDims));
-    const vectorField U(velocity());
-
-    store_.write<scalar>("T", T);
-    store_.write<scalar>("p", p);
-    store_.write<vector>("U", U);
-    store_.write<scalar>("rho", law_->conserved(0)());
-    store_.write<vector>("rhoU", momentum());
-    store_.write<scalar>("rhoE", law_->conserved(1 + nDims)());
-
-    writeMapped(U_);
-    writeMapped(T_);
-    writeMapped(p_);
-    writeMapped(density());
+    if (runTime_.writeTime() || runTime_.functionObjects().size())
+    {
+        phi_ =
+            linearInterpolate(rho_)
+           *(linearInterpolate(U_) & particles_.mesh().Sf());
+    }
 }
 
 
@@ -120,17 +82,18 @@ void Foam::SPH::compressibleFlow::writeFields()
 
 Foam::SPH::compressibleFlow::compressibleFlow
 (
-    sphTime& runTime,
-    const sphMesh& particles
+    Time& runTime,
+    const particleMesh& particles
 )
 :
     flowSolver(runTime, particles),
-    tU_(readField<volVectorField>("U", dimVelocity)),
-    tT_(readField<volScalarField>("T", dimTemperature)),
-    tp_(readField<volScalarField>("p", dimPressure)),
-    U_(tU_.ref()),
-    T_(tT_.ref()),
-    p_(tp_.ref()),
+    U_(fieldIO<vector>("U"), particles.mesh()),
+    T_(fieldIO<scalar>("T"), particles.mesh()),
+    p_(fieldIO<scalar>("p"), particles.mesh()),
+    rho_(stateField<scalar>("rho", dimDensity)),
+    rhoU_(stateField<vector>("rhoU", dimDensity*dimVelocity)),
+    rhoE_(stateField<scalar>("rhoE", dimPressure)),
+    storedRho_(rho_.primitiveField()),
     phi_
     (
         IOobject("phi", runTime.timeName(), particles.mesh()),
@@ -139,17 +102,22 @@ Foam::SPH::compressibleFlow::compressibleFlow
     ),
     fluid_(readFluid())
 {
+    checkDimensions(U_, dimVelocity);
+    checkDimensions(T_, dimTemperature);
+    checkDimensions(p_, dimPressure);
+
     Info<< "Perfect gas: gamma " << fluid_.gamma << ", R " << fluid_.R
         << " J/(kg K), " << (fluid_.viscous() ? "viscous" : "inviscid")
         << nl << endl;
 
     faces_.reset
     (
-        new compressibleStates(particles, U_, T_, p_, phi_, fluid_)
+        new compressibleStates(particles, U_, T_, p_, rho_, phi_, fluid_)
     );
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
     setStart();
+    storedRho_.clear();
 }
 
 

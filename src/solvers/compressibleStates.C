@@ -53,10 +53,11 @@ void Foam::SPH::compressibleStates::correctFlux(const label patchi)
 
 Foam::SPH::compressibleStates::compressibleStates
 (
-    const sphMesh& particles,
+    const particleMesh& particles,
     volVectorField& U,
     volScalarField& T,
     volScalarField& p,
+    volScalarField& rho,
     surfaceScalarField& phi,
     const perfectGasFluid& gas
 )
@@ -72,12 +73,7 @@ Foam::SPH::compressibleStates::compressibleStates
     R_(gas.R),
     T_(T),
     p_(p),
-    rho_
-    (
-        registeredIO("rho", particles.mesh()),
-        particles.mesh(),
-        dimensionedScalar(dimDensity, Zero)
-    ),
+    rho_(rho),
     psi_
     (
         registeredIO("psi", particles.mesh()),

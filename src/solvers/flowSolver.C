@@ -8,9 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowSolver.H"
-#include "OSspecific.H"
-#include "linear.H"
-#include "subCycleTime.H"
+#include "particleFiles.H"
+#include "unsupportedModels.H"
+#include "argList.H"
 
 #include <omp.h>
 
@@ -27,91 +27,58 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
+bool Foam::SPH::flowSolver::sameState() const
 {
-    return 1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
-}
+    // More than round-off in the primitive variables is an edited field
+    constexpr scalar tolerance = 1e-8;
 
-
-void Foam::SPH::flowSolver::step
-(
-    const scalar dt,
-    const scalar timeLeft,
-    const label nHalvings
-)
-{
-    constexpr label maxHalvings = 8;
-
-    label nDropped = 0;
-    do
+    const List<scalarField> given(primitiveStart());
+    forAll(given, v)
     {
-        if (timeScheme_->advance(*law_, *faces_, dt, timeLeft))
+        const scalarField now(law_->primitive(v));
+        const scalar scale = max(mag(given[v])) + max(mag(now));
+        if (max(mag(now - given[v])) > tolerance*scale)
         {
-            faces_->follow(law_->W(), dt);
-            law_->resumeReconstruction();
-            return;
+            return false;
         }
-        nDropped = law_->dropReconstruction();
-        nDropped_ += nDropped;
     }
-    while (nDropped);
-
-    if (nHalvings == maxHalvings)
-    {
-        FatalErrorInFunction
-            << "The flow diverges at time " << runTime_.timeName()
-            << ": the state of a particle is not physical even with a time"
-            << " step of " << dt << " s. Lower maxCo or choose a more"
-            << " dissipative fluxScheme or limiter in "
-            << schemes_.objectPath() << exit(FatalError);
-    }
-
-    ++nHalved_;
-    step(0.5*dt, timeLeft + 0.5*dt, nHalvings + 1);
-    step(0.5*dt, timeLeft, nHalvings + 1);
+    return true;
 }
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+bool Foam::SPH::flowSolver::hasField(const word& name) const
+{
+    return IOobject
+    (
+        name,
+        runTime_.timeName(),
+        particles_.mesh(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    ).typeHeaderOk<volScalarField>(false);
+}
+
+
 void Foam::SPH::flowSolver::setStart()
 {
-    const wordList names(stateNames());
-    const solutionSpace& space = particles_.space();
+    const List<scalarField> conserved(conservedStart());
 
-    bool stored = true;
-    for (const word& name : names)
+    bool continues = conserved.size();
+    if (continues)
     {
-        stored = stored && store_.found(name);
+        law_->setConserved(conserved);
+        continues = sameState();
     }
-
-    if (stored)
+    if (!continues)
     {
-        Info<< "Continuing from the particle fields of time "
-            << runTime_.timeName() << nl << endl;
-
-        List<scalarField> Q(law_->nVariables());
-        Q[0] = store_.read<scalar>(names[0]);
-        const vectorField momentum(store_.read<vector>(names[1]));
-        for (label d = 0; d < loopDims(particles_); ++d)
-        {
-            Q[1 + d] = momentum.component(space.axis(d));
-        }
-        for (label k = 2; k < names.size(); ++k)
-        {
-            Q[loopDims(particles_) + k - 1] = store_.read<scalar>(names[k]);
-        }
-        law_->setConserved(Q);
+        law_->setPrimitive(primitiveStart());
     }
-    else
-    {
-        Info<< "Starting from the cell fields of time "
-            << runTime_.timeName() << nl << endl;
-
-        law_->setPrimitive(initialState());
-    }
-
-    Info<< "Boundary conditions" << nl;
+    Info<< (continues ? "Continuing" : "Starting") << " from the fields of"
+        << " time " << runTime_.timeName() << nl << nl
+        << "Boundary conditions" << nl;
     faces_->info(Info);
     Info<< nl << "Schemes" << nl
         << "    threads " << omp_get_max_threads() << nl;
@@ -120,47 +87,43 @@ void Foam::SPH::flowSolver::setStart()
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::velocity() const
+void Foam::SPH::flowSolver::getVelocity(volVectorField& U) const
 {
-    auto tU = tmp<vectorField>::New(particles_.nParticles(), Zero);
     for (label d = 0; d < loopDims(particles_); ++d)
     {
-        tU.ref().replace(particles_.space().axis(d), law_->primitive(1 + d));
+        U.primitiveFieldRef().replace
+        (
+            particles_.space().axis(d), law_->primitive(1 + d)
+        );
     }
-    return tU;
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::SPH::flowSolver::momentum() const
+void Foam::SPH::flowSolver::getMomentum(volVectorField& rhoU) const
 {
-    auto tmomentum = tmp<vectorField>::New(particles_.nParticles(), Zero);
     for (label d = 0; d < loopDims(particles_); ++d)
     {
-        tmomentum.ref().replace
+        rhoU.primitiveFieldRef().replace
         (
             particles_.space().axis(d), law_->conserved(1 + d)
         );
     }
-    return tmomentum;
 }
 
 
-const Foam::SPH::particlesToMesh& Foam::SPH::flowSolver::toMesh()
-{
-    if (!toMesh_.valid())
-    {
-        toMesh_.reset(new particlesToMesh(particles_));
-    }
-    return *toMesh_;
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::SPH::flowSolver::volumeFlux
+void Foam::SPH::flowSolver::appendComponents
 (
-    const volVectorField& U
-)
+    const volVectorField& field,
+    List<scalarField>& variables
+) const
 {
-    return linearInterpolate(U) & U.mesh().Sf();
+    for (label d = 0; d < loopDims(particles_); ++d)
+    {
+        variables.append
+        (
+            field.primitiveField().component(particles_.space().axis(d))()
+        );
+    }
 }
 
 
@@ -168,8 +131,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::SPH::flowSolver::volumeFlux
 
 Foam::SPH::flowSolver::flowSolver
 (
-    sphTime& runTime,
-    const sphMesh& particles
+    Time& runTime,
+    const particleMesh& particles
 )
 :
     regIOobject
@@ -186,7 +149,6 @@ Foam::SPH::flowSolver::flowSolver
     runTime_(runTime),
     particles_(particles),
     schemes_(schemesIO(runTime)),
-    store_(particles),
     timeScheme_(timeScheme::New(schemes_)),
     maxCo_
     (
@@ -198,18 +160,43 @@ Foam::SPH::flowSolver::flowSolver
         )
     ),
     nDropped_(0),
-    nHalved_(0)
+    nHalved_(0),
+    subIndex_(-1)
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+void Foam::SPH::flowSolver::addOptions(int argc, char* argv[])
 {
-    if (Pstream::parRun())
+    for (int i = 1; i < argc; ++i)
     {
-        FatalErrorInFunction
-            << "Parallel runs are not available yet: run without -parallel,"
-            << " with one thread per core" << exit(FatalError);
+        if (word(argv[i], false) == "-parallel")
+        {
+            FatalErrorInFunction
+                << "This solver runs with threads (OMP_NUM_THREADS) on one"
+                << " machine, not with -parallel. OpenFOAM's own solvers run"
+                << " on a decomposed particle case" << exit(FatalError);
+        }
     }
+
+    argList::addBoolOption
+    (
+        "cells",
+        "Take the cells of any mesh as particles and its faces as pairs"
+    );
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
+{
+    if (!args.found("cells"))
+    {
+        particleFiles(mesh.time()).requireCurrent();
+    }
+    refuseUnsupportedModels(mesh.time());
+}
+
 
 Foam::IOobject Foam::SPH::flowSolver::schemesIO(const Time& runTime)
 {
@@ -222,74 +209,6 @@ Foam::IOobject Foam::SPH::flowSolver::schemesIO(const Time& runTime)
         IOobject::NO_WRITE,
         false
     );
-}
-
-
-void Foam::SPH::flowSolver::setDeltaT()
-{
-    if (runTime_.adjusted())
-    {
-        runTime_.setStableDeltaT(stableDeltaT());
-    }
-}
-
-
-void Foam::SPH::flowSolver::advance()
-{
-    const scalar deltaT = runTime_.deltaTValue();
-
-    // An adjusted time step is the stable one
-    const label nSteps =
-        runTime_.adjusted()
-      ? 1
-      : max(label(1), label(std::ceil(deltaT/stableDeltaT() - 1e-6)));
-
-    scalar largest;
-    scalar mean;
-    law_->acousticRate(largest, mean);
-
-    Info<< "Courant Number mean: " << mean*deltaT/nSteps
-        << " max: " << largest*deltaT/nSteps;
-
-    if (nSteps == 1)
-    {
-        Info<< endl;
-        step(deltaT);
-    }
-    else
-    {
-        Info<< " in " << nSteps << " steps" << endl;
-        for (subCycleTime cycle(runTime_, nSteps); !(++cycle).end(); )
-        {
-            step(runTime_.deltaTValue());
-        }
-    }
-
-    const label nFallbacks = law_->nFallbacks();
-    if (nFallbacks || nDropped_ || nHalved_)
-    {
-        Info<< "Positivity: " << nFallbacks << " reconstructions of first"
-            << " order, " << nDropped_ << " particles of first order, "
-            << nHalved_ << " steps halved" << endl;
-        nDropped_ = 0;
-        nHalved_ = 0;
-    }
-
-    runTime_.alignWriteTime();
-
-    // Once, where both function objects and writeTime() need it
-    if (runTime_.otherFunctions() || runTime_.writeTime())
-    {
-        mapFields();
-    }
-}
-
-
-void Foam::SPH::flowSolver::writeTime()
-{
-    store_.writePositions();
-    writeFields();
-    store_.purge();
 }
 
 

@@ -11,74 +11,69 @@ License
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-template<class GeoField>
-Foam::tmp<GeoField> Foam::SPH::flowSolver::readField
+template<class Type>
+Foam::IOobject Foam::SPH::flowSolver::fieldIO(const word& name) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    IOobject io
+    (
+        name,
+        runTime_.timeName(),
+        particles_.mesh(),
+        IOobject::MUST_READ,
+        IOobject::AUTO_WRITE
+    );
+
+    if (!io.typeHeaderOk<fieldType>(true))
+    {
+        FatalErrorInFunction
+            << "No field " << name << " of type " << fieldType::typeName
+            << " in " << runTime_.timePath() << exit(FatalError);
+    }
+
+    return io;
+}
+
+
+template<class Type>
+void Foam::SPH::flowSolver::checkDimensions
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const dimensionSet& dimensions
+)
+{
+    if (field.dimensions() != dimensions)
+    {
+        FatalErrorInFunction
+            << "Field " << field.name() << " in " << field.objectPath()
+            << " has dimensions " << field.dimensions() << ", but "
+            << dimensions << " are required" << exit(FatalError);
+    }
+}
+
+
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
+Foam::SPH::flowSolver::stateField
 (
     const word& name,
     const dimensionSet& dimensions
 ) const
 {
-    const fvMesh& mesh = particles_.mesh();
-
-    for (const word& file : {word(name + ".sph"), name})
-    {
-        IOobject io(file, runTime_.timeName(), mesh, IOobject::MUST_READ);
-
-        if (io.typeHeaderOk<GeoField>(true))
-        {
-            io.registerObject() = false;
-            const GeoField stored(io, mesh);
-
-            if (stored.dimensions() != dimensions)
-            {
-                FatalErrorInFunction
-                    << "Field " << name << " in " << io.objectPath()
-                    << " has dimensions " << stored.dimensions() << ", but "
-                    << dimensions << " are required" << exit(FatalError);
-            }
-
-            return tmp<GeoField>::New
-            (
-                IOobject(name, runTime_.timeName(), mesh),
-                stored
-            );
-        }
-    }
-
-    FatalErrorInFunction
-        << "No field " << name << " of type " << GeoField::typeName
-        << " in " << runTime_.timePath() << ": neither file " << name
-        << ".sph nor file " << name << " is there" << exit(FatalError);
-
-    return nullptr;
-}
-
-
-template<class Type>
-void Foam::SPH::flowSolver::writeMapped
-(
-    const GeometricField<Type, fvPatchField, volMesh>& field
-) const
-{
-    const GeometricField<Type, fvPatchField, volMesh> mapped
+    return GeometricField<Type, fvPatchField, volMesh>
     (
         IOobject
         (
-            field.name() + ".sph",
+            name,
             runTime_.timeName(),
             particles_.mesh(),
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
         ),
-        field
+        particles_.mesh(),
+        dimensioned<Type>(dimensions, Zero)
     );
-
-    if (!mapped.write())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << mapped.objectPath() << exit(FatalError);
-    }
 }
 
 

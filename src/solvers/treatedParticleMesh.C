@@ -8,76 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "treatedParticleMesh.H"
-#include "contactFaces.H"
+#include "contactBoundary.H"
 #include "flowSolver.H"
-#include "patchSurface.H"
-#include "solidParticles.H"
-#include "surfaceDistance.H"
-#include "surfaceVectorClosure.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace SPH
-{
-    static autoPtr<sphMesh> contactParticleMesh
-    (
-        const autoPtr<sphMesh>& stored,
-        const dictionary& schemes
-    )
-    {
-        const fvMesh& mesh = stored->mesh();
-
-        const dictionary closure
-        (
-            stored->properties().subOrEmptyDict("closure")
-        );
-        if
-        (
-            closure.getOrDefault<word>("type", "consistent")
-         != surfaceVectorClosure::typeName
-        )
-        {
-            FatalIOErrorInFunction(schemes)
-                << "boundaryTreatment contact needs pair areas without"
-                << " correction: set 'closure {type surfaceVector;}' in"
-                << " system/sphMeshDict and run sphMesh"
-                << exit(FatalIOError);
-        }
-
-        const List<particleSet> solids(readSolidParticles(mesh));
-        if (solids.empty())
-        {
-            FatalIOErrorInFunction(schemes)
-                << "boundaryTreatment contact needs particles of solid"
-                << " bodies, and there are none in "
-                << sphMesh::directory(mesh) << ". Bodies are closed wall"
-                << " patches, or those of the entry 'bodies' in"
-                << " system/sphMeshDict" << exit(FatalIOError);
-        }
-
-        const scalar reach = stored->W().support(max(stored->spacing()));
-        const surfaceDistance fluid
-        (
-            patchSurface(mesh, stored->space()), reach
-        );
-
-        particleMeshData data(stored->data());
-        data.boundary = contactFaces(*stored, solids, fluid);
-
-        return autoPtr<sphMesh>
-        (
-            new sphMesh(mesh, stored->properties(), std::move(data))
-        );
-    }
-}
-}
-
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::SPH::sphMesh> Foam::SPH::treatedParticleMesh
+Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::treatedParticleMesh
 (
     const fvMesh& mesh
 )
@@ -96,12 +32,34 @@ Foam::autoPtr<Foam::SPH::sphMesh> Foam::SPH::treatedParticleMesh
             << "Valid choices:" << nl << choices << exit(FatalIOError);
     }
 
-    autoPtr<sphMesh> stored(new sphMesh(mesh));
+    autoPtr<particleMesh> particles(new particleMesh(mesh));
+    if (treatment == "surfaceVector")
+    {
+        return particles;
+    }
 
-    return
-        treatment == "contact"
-      ? contactParticleMesh(stored, schemes)
-      : std::move(stored);
+    boundaryFaces contact(readContactBoundary(particleFiles(mesh.time())));
+    if (contact.owner.empty())
+    {
+        FatalIOErrorInFunction(schemes)
+            << "boundaryTreatment contact needs particles of solid bodies with"
+            << " pair areas without correction: set 'closure {type"
+            << " surfaceVector;}' in system/sphMeshDict and run sphMesh."
+            << " Bodies are closed wall patches, or those of the entry"
+            << " 'bodies' there" << exit(FatalIOError);
+    }
+
+    // Patches beyond those of the FVM mesh are cyclic
+    const label nFaces = contact.start.last();
+    contact.start.setSize(mesh.boundary().size() + 1, nFaces);
+
+    particleMeshData data(particles->data());
+    data.boundary = std::move(contact);
+
+    return autoPtr<particleMesh>
+    (
+        new particleMesh(mesh, particles->properties(), std::move(data))
+    );
 }
 
 

@@ -8,10 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "weaklyCompressibleFlow.H"
-#include "findRefCell.H"
-#include "meshToParticles.H"
-#include "compat.H"
-#include "scalarIOField.H"
+#include "linear.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -74,21 +71,6 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::largestVelocity() const
 }
 
 
-Foam::IOobject Foam::SPH::weaklyCompressibleFlow::propertiesIO() const
-{
-    return IOobject
-    (
-        "flowProperties",
-        runTime_.timeName(),
-        "uniform/lagrangian/sph",
-        particles_.mesh(),
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
-}
-
-
 Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
 {
     const auto positive = [](const scalar value) { return value > 0; };
@@ -98,10 +80,9 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
         return schemes_.getCheck<scalar>("soundSpeed", positive);
     }
 
-    const IOdictionary stored(propertiesIO());
-    if (stored.found("soundSpeed"))
+    if (state_.found("soundSpeed"))
     {
-        return stored.get<scalar>("soundSpeed");
+        return state_.get<scalar>("soundSpeed");
     }
 
     const scalar ratio =
@@ -121,11 +102,41 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
 }
 
 
-Foam::IOobject Foam::SPH::weaklyCompressibleFlow::outerStateIO() const
+void Foam::SPH::weaklyCompressibleFlow::exchangeOuterStates
+(
+    const bool toFields
+)
 {
-    IOobject io(propertiesIO());
-    io.rename("outerState");
-    return io;
+    scalarField& followed = faces_->followed();
+    const label nFaces = faces_->size();
+
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        if (patch.size() == 0 || faces_->reflects(patch.start()))
+        {
+            continue;
+        }
+
+        vectorField& U = outerU_.boundaryFieldRef()[patch.index()];
+        scalarField& p = outerP_.boundaryFieldRef()[patch.index()];
+        const labelUList face(patch.face());
+
+        forAll(face, k)
+        {
+            const auto exchange = [&](const label variable, scalar& value)
+            {
+                scalar& own =
+                    followed[variable*nFaces + patch.start() + k];
+                (toFields ? value : own) = (toFields ? own : value);
+            };
+
+            exchange(0, p[face[k]]);
+            for (label d = 0; d < loopDims(particles_); ++d)
+            {
+                exchange(1 + d, U[face[k]][particles_.space().axis(d)]);
+            }
+        }
+    }
 }
 
 
@@ -142,95 +153,48 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
     faces_->correct(law_->W(), 0);
     faces_->startFollowing(tau, law_->W());
 
-    const scalarIOField stored(outerStateIO());
-    if (stored.size() == faces_->followed().size())
-    {
-        faces_->followed() = stored;
-    }
+    exchangeOuterStates(!hasField(outerP_.name()) || !hasField(outerU_.name()));
 }
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::SPH::weaklyCompressibleFlow::stateNames() const
+Foam::List<Foam::scalarField>
+Foam::SPH::weaklyCompressibleFlow::conservedStart() const
 {
-    return {"p", "rhoU"};
+    List<scalarField> Q;
+    if (hasField(rhoU_.name()))
+    {
+        Q.append(p_.primitiveField());
+        appendComponents(rhoU_, Q);
+    }
+    return Q;
 }
 
 
 Foam::List<Foam::scalarField>
-Foam::SPH::weaklyCompressibleFlow::initialState() const
+Foam::SPH::weaklyCompressibleFlow::primitiveStart() const
 {
-    const meshToParticles toParticles(particles_);
-    const vectorField U(toParticles.map(U_));
-
-    List<scalarField> W(1 + loopDims(particles_));
-    W[0] = toParticles.map(p_);
-    for (label d = 0; d < loopDims(particles_); ++d)
-    {
-        W[1 + d] = U.component(particles_.space().axis(d));
-    }
+    List<scalarField> W;
+    W.append(p_.primitiveField());
+    appendComponents(U_, W);
     return W;
 }
 
 
-void Foam::SPH::weaklyCompressibleFlow::mapFields()
+void Foam::SPH::weaklyCompressibleFlow::updateFields()
 {
-    toMesh().map(velocity()(), U_);
-    toMesh().map(law_->primitive(0)(), p_);
-    phi_ = volumeFlux(U_);
+    getVelocity(U_);
+    getMomentum(rhoU_);
+    p_.primitiveFieldRef() = law_->primitive(0);
+    U_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
 
-    // In a closed domain the pressure level is that of FVM's reference cell
-    for (const word algorithm : {"PISO", "PIMPLE", "SIMPLE"})
+    if (runTime_.writeTime() || runTime_.functionObjects().size())
     {
-        const dictionary controls
-        (
-            particles_.mesh().solutionDict().subOrEmptyDict(algorithm)
-        );
-
-        if (controls.found("pRefCell") || controls.found("pRefPoint"))
-        {
-            label celli = 0;
-            scalar value = 0;
-            if (setRefCell(p_, controls, celli, value))
-            {
-                p_ +=
-                    dimensionedScalar
-                    (
-                        "shift",
-                        p_.dimensions(),
-                        value - getRefCellValue(p_, celli)
-                    );
-            }
-            break;
-        }
+        phi_ = linearInterpolate(U_) & particles_.mesh().Sf();
     }
-}
-
-
-void Foam::SPH::weaklyCompressibleFlow::writeFields()
-{
-    const scalarField p(law_->primitive(0));
-    const vectorField U(velocity());
-    const scalarField rho(1 + p/sqr(fluid_.c));
-
-    store_.write<scalar>("p", p);
-    store_.write<vector>("U", U);
-    store_.write<scalar>("rho", rho);
-    store_.write<vector>("rhoU", momentum());
-
-    // A restart needs every bit, whatever the case's writePrecision is
-    const unsigned precision = IOstream::defaultPrecision(17);
-    IOdictionary properties(propertiesIO());
-    properties.set("soundSpeed", fluid_.c);
-    properties.regIOobject::write();
-    IOstream::defaultPrecision(precision);
-
-    const scalarIOField outerState(outerStateIO(), faces_->followed());
-    writeAs(outerState, IOstream::BINARY);
-
-    writeMapped(U_);
-    writeMapped(p_);
+    exchangeOuterStates(true);
 }
 
 
@@ -238,23 +202,41 @@ void Foam::SPH::weaklyCompressibleFlow::writeFields()
 
 Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
 (
-    sphTime& runTime,
-    const sphMesh& particles
+    Time& runTime,
+    const particleMesh& particles
 )
 :
     flowSolver(runTime, particles),
-    tU_(readField<volVectorField>("U", dimVelocity)),
-    tp_(readField<volScalarField>("p", sqr(dimVelocity))),
-    U_(tU_.ref()),
-    p_(tp_.ref()),
+    U_(fieldIO<vector>("U"), particles.mesh()),
+    p_(fieldIO<scalar>("p"), particles.mesh()),
+    rhoU_(stateField<vector>("rhoU", dimVelocity)),
+    outerU_(stateField<vector>("outerU", dimVelocity)),
+    outerP_(stateField<scalar>("outerP", sqr(dimVelocity))),
     phi_
     (
         IOobject("phi", runTime.timeName(), particles.mesh()),
         particles.mesh(),
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
+    state_
+    (
+        IOobject
+        (
+            "flowProperties",
+            runTime.timeName(),
+            "uniform",
+            particles.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
     fluid_{soundSpeed(), viscosity()}
 {
+    checkDimensions(U_, dimVelocity);
+    checkDimensions(p_, sqr(dimVelocity));
+    state_.set("soundSpeed", fluid_.c);
+
+
     Info<< "Sound speed " << fluid_.c << " m/s, kinematic viscosity "
         << fluid_.nu << " m^2/s" << nl << endl;
 

@@ -91,7 +91,8 @@ namespace
 
 void Foam::SPH::writeAreaVectorPicture
 (
-    const sphMesh& particles,
+    const fvMesh& mesh,
+    const particleMesh& particles,
     const boundBox& view,
     const fileName& file
 )
@@ -99,21 +100,21 @@ void Foam::SPH::writeAreaVectorPicture
     const solutionSpace& space = particles.space();
     vector normal(Zero);
     normal[space.axis(2)] = 1;
-    const meshSlice slice(particles.mesh(), view.midpoint(), normal);
+    const meshSlice slice(mesh, view.midpoint(), normal);
 
     const point a(slice.toPlane(view.min()));
     const point b(slice.toPlane(view.max()));
     const boundBox box(min(a, b), max(a, b));
     const scalar rThickness = 1/space.thickness();
 
-    arrows mesh;
-    for (const fvPatch& patch : particles.mesh().boundary())
+    arrows fvm;
+    for (const fvPatch& patch : mesh.boundary())
     {
         if (!patch.coupled() && !isA<emptyPolyPatch>(patch.patch()))
         {
             forAll(patch, facei)
             {
-                mesh.add
+                fvm.add
                 (
                     box,
                     slice.toPlane(patch.Cf()[facei]),
@@ -136,7 +137,7 @@ void Foam::SPH::writeAreaVectorPicture
     }
 
     scalar longest = VSMALL;
-    for (const arrows* each : {&mesh, &sph})
+    for (const arrows* each : {&fvm, &sph})
     {
         for (const vector& length : each->lengths)
         {
@@ -146,7 +147,7 @@ void Foam::SPH::writeAreaVectorPicture
     const scalar scale =
         0.12*min(box.span().x(), box.span().y())/longest;
 
-    const arrowShapes left(mesh, scale);
+    const arrowShapes left(fvm, scale);
     const arrowShapes right(sph, scale);
     fieldPicture picture
     (

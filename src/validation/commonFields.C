@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "commonFields.H"
-#include "storedFields.H"
+#include "particleResults.H"
 #include "timeSelector.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -118,7 +118,7 @@ Foam::SPH::commonFields::commonFields
                     FatalErrorInFunction
                         << "At time " << time.name() << " field " << field
                         << " is a " << fvm[field] << ", but "
-                        << storedFields::volName(field) << " is a "
+                        << particleResults::volName(field) << " is a "
                         << sph[field] << exit(FatalError);
                 }
                 common.append(field);
@@ -154,8 +154,7 @@ Foam::SPH::commonFields::commonFields
             << this->names(fvmOnly_).c_str() << nl
             << "    SPH fields (<field>.sph) in " << mesh.time().path()
             << " at times: " << this->names(sphOnly_).c_str() << nl
-            << "    Write both at the same times, or map stored particle"
-            << " fields with mapSphFields" << exit(FatalError);
+            << "    Write both at the same times" << exit(FatalError);
     }
 }
 

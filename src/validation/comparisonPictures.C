@@ -183,7 +183,7 @@ void Foam::SPH::comparisonPictures::writePanels
     const scalarField discValues
     (
         discs && quantity.name == quantity.field
-      ? discs->values(quantity.field)
+      ? discs->values(quantity.field, instant(mesh_.time().value()))
       : scalarField()
     );
     if (discValues.size())
@@ -209,11 +209,13 @@ Foam::SPH::comparisonPictures::comparisonPictures
 (
     const fvMesh& mesh,
     const solutionSpace& space,
-    const comparisonControls& controls
+    const comparisonControls& controls,
+    const particleResults* particles
 )
 :
     mesh_(mesh),
     controls_(controls),
+    particles_(particles),
     views_()
 {
     const auto normal = [](const direction d)
@@ -271,9 +273,9 @@ Foam::DynamicList<Foam::fileName> Foam::SPH::comparisonPictures::write
     for (const view& v : views_)
     {
         autoPtr<particleDiscs> discs;
-        if (controls_.particles())
+        if (controls_.particles() && particles_)
         {
-            discs.reset(new particleDiscs(mesh_, v.slice, v.box));
+            discs.reset(new particleDiscs(*particles_, v.slice, v.box));
         }
 
         for (const comparedQuantity& quantity : comparison.quantities())

@@ -8,8 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "comparisonReport.H"
-#include "IOdictionary.H"
-#include "sphMesh.H"
 
 #include <cstdio>
 
@@ -71,33 +69,17 @@ void Foam::SPH::comparisonReport::addCase
 }
 
 
-void Foam::SPH::comparisonReport::addParticles(const fvMesh& mesh)
+void Foam::SPH::comparisonReport::addParticles
+(
+    const particleResults& particles
+)
 {
-    const IOdictionary properties
+    page_.heading("Particles");
+    page_.paragraph
     (
-        IOobject
-        (
-            "sphMeshProperties",
-            mesh.time().constant(),
-            sphMesh::typeName,
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        std::to_string(particles.mesh().nCells()) + " particles, "
+      + std::to_string(particles.mesh().nInternalFaces()) + " pairs."
     );
-
-    label nParticles;
-    if (properties.readIfPresent("nParticles", nParticles))
-    {
-        page_.heading("Particles");
-        page_.paragraph
-        (
-            std::to_string(nParticles) + " particles, "
-          + std::to_string(properties.getOrDefault<label>("nPairs", 0))
-          + " pairs."
-        );
-    }
 }
 
 
@@ -160,6 +142,7 @@ void Foam::SPH::comparisonReport::addNorms(const fieldComparison& comparison)
 Foam::SPH::comparisonReport::comparisonReport
 (
     const fvMesh& mesh,
+    const particleResults* particles,
     const referenceCase& reference,
     const commonFields& common,
     const fieldComparison& comparison,
@@ -188,7 +171,10 @@ Foam::SPH::comparisonReport::comparisonReport
     page_.drawings(plots);
 
     addCase(mesh, reference);
-    addParticles(mesh);
+    if (particles)
+    {
+        addParticles(*particles);
+    }
     addTimes(common);
 }
 

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fieldComparison.H"
-#include "storedFields.H"
+#include "particleResults.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -61,7 +61,7 @@ void Foam::SPH::fieldComparison::add(const word& name, const word& className)
     (
         IOobject
         (
-            storedFields::volName(name),
+            particleResults::volName(name),
             time_.name(),
             mesh_,
             IOobject::MUST_READ,

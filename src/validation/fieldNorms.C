@@ -33,6 +33,15 @@ void Foam::SPH::fieldNorms::addComponent
 
     const scalarField d(mag(difference));
     const scalar volume = gSum(V);
+    const scalar referenceL2 = sqrt(gSum(V*sqr(reference))/volume);
+
+    const auto over = [](const scalar absolute, const scalar by)
+    {
+        return
+            absolute == 0 ? 0
+          : by > VSMALL ? absolute/by
+          : std::numeric_limits<scalar>::infinity();
+    };
 
     const auto append = [&](const word& name, const scalar absolute)
     {
@@ -44,10 +53,9 @@ void Foam::SPH::fieldNorms::addComponent
                 component,
                 name,
                 absolute,
-                absolute == 0 ? 0
-              : scale > VSMALL ? absolute/scale
-              : std::numeric_limits<scalar>::infinity(),
-                range
+                over(absolute, scale),
+                range,
+                over(absolute, referenceL2)
             }
         );
     };
@@ -71,12 +79,13 @@ void Foam::SPH::fieldNorms::write(const fileName& file) const
     OFstream os(file);
     os.precision(8);
 
-    os  << "field,component,norm,absolute,relative,reference_range" << nl;
+    os  << "field,component,norm,absolute,relative,reference_range,relative_l2"
+        << nl;
     for (const norm& n : norms_)
     {
         os  << n.field.c_str() << ',' << n.component.c_str() << ','
             << n.name.c_str() << ',' << n.absolute << ',' << n.relative
-            << ',' << n.range << nl;
+            << ',' << n.range << ',' << n.relativeL2 << nl;
     }
 
     if (!os.good())

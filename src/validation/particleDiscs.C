@@ -8,10 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleDiscs.H"
-#include "IOField.H"
 #include "mathematicalConstants.H"
-#include "sphMesh.H"
-#include "storedFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,30 +18,6 @@ namespace SPH
 {
     //- Corners of a disc
     static constexpr label nCorners = 12;
-
-    template<class Type>
-    static IOField<Type> readArray
-    (
-        const word& name,
-        const word& instance,
-        const fileName& local,
-        const fvMesh& mesh
-    )
-    {
-        return IOField<Type>
-        (
-            IOobject
-            (
-                name,
-                instance,
-                local,
-                mesh,
-                IOobject::READ_IF_PRESENT,
-                IOobject::NO_WRITE,
-                false
-            )
-        );
-    }
 }
 }
 
@@ -53,20 +26,18 @@ namespace SPH
 
 Foam::SPH::particleDiscs::particleDiscs
 (
-    const fvMesh& mesh,
+    const particleResults& results,
     const meshSlice& slice,
     const boundBox& box
 )
 :
-    mesh_(mesh),
+    results_(results),
     particles_(),
     points_(),
     polygons_()
 {
-    const word instance(mesh.time().constant());
-    const word local(sphMesh::typeName);
-    const auto centres = readArray<vector>("points", instance, local, mesh);
-    const auto spacing = readArray<scalar>("spacing", instance, local, mesh);
+    const vectorField& centres = results.mesh().cellCentres();
+    const scalarField& spacing = results.spacing();
 
     DynamicList<label> particles;
     DynamicList<point> points;
@@ -107,31 +78,29 @@ Foam::SPH::particleDiscs::particleDiscs
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::SPH::particleDiscs::values(const word& field) const
+Foam::scalarField Foam::SPH::particleDiscs::values
+(
+    const word& field,
+    const instant& time
+) const
 {
-    const IOobjectList objects(storedFields::find(mesh_));
-    const word instance(mesh_.time().timeName());
+    const IOobjectList objects(results_.fields(time));
+    const IOobject* io = objects.findObject(field);
 
-    scalarField values;
-    if (objects.findObject(field))
+    tmp<scalarField> values;
+    if (io && io->headerClassName() == volScalarField::typeName)
     {
-        const word& className = objects.findObject(field)->headerClassName();
-        const fileName local(storedFields::folder());
-
-        if (className == IOField<scalar>::typeName)
-        {
-            values = readArray<scalar>(field, instance, local, mesh_);
-        }
-        else if (className == IOField<vector>::typeName)
-        {
-            values = mag(readArray<vector>(field, instance, local, mesh_));
-        }
+        values = results_.read<scalar>(*io)().primitiveField();
+    }
+    else if (io && io->headerClassName() == volVectorField::typeName)
+    {
+        values = mag(results_.read<vector>(*io)().primitiveField());
     }
 
     return
-        values.empty()
-      ? values
-      : scalarField(UIndirectList<scalar>(values, particles_));
+        values.valid()
+      ? scalarField(values(), particles_)
+      : scalarField();
 }
 
 // ************************************************************************* //

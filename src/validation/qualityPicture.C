@@ -50,7 +50,8 @@ namespace SPH
 
 void Foam::SPH::writeQualityPicture
 (
-    const sphMesh& particles,
+    const fvMesh& mesh,
+    const particleMesh& particles,
     const meshQuality& quality,
     const boundBox& view,
     const fileName& file
@@ -59,7 +60,7 @@ void Foam::SPH::writeQualityPicture
     const solutionSpace& space = particles.space();
     vector normal(Zero);
     normal[space.nDims() == 3 ? 2 : space.axis(2)] = 1;
-    const meshSlice slice(particles.mesh(), view.midpoint(), normal);
+    const meshSlice slice(mesh, view.midpoint(), normal);
 
     const point a(slice.toPlane(view.min()));
     const point b(slice.toPlane(view.max()));

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "referenceCase.H"
+#include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -65,13 +66,13 @@ Foam::SPH::referenceCase::read
 
     mapping_->map(tsource().primitiveField(), result.primitiveFieldRef());
 
-    // Where the compared field does not fix the value, the cells' value
+    // Walls have the value of the compared field, others that of the cells
     auto& boundary = result.boundaryFieldRef();
     forAll(boundary, patchi)
     {
         boundary[patchi] ==
         (
-            like.boundaryField()[patchi].fixesValue()
+            isA<wallFvPatch>(boundary[patchi].patch())
           ? tmp<Field<Type>>(new Field<Type>(like.boundaryField()[patchi]))
           : boundary[patchi].patchInternalField()
         );

@@ -10,7 +10,7 @@ Application
 
 Description
     Laminar flow of an incompressible fluid by weakly compressible Eulerian
-    SPH, on the particles of constant/sphMesh and from the fields, properties
+    SPH, on the particles of a particle case and from the fields, properties
     and controls that icoFoam uses.
 
 \*---------------------------------------------------------------------------*/
@@ -25,18 +25,15 @@ int main(int argc, char *argv[])
     (
         "Weakly compressible Eulerian SPH solver for laminar flow"
     );
+    SPH::flowSolver::addOptions(argc, argv);
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
-
-    Info<< "Create time\n" << endl;
-    SPH::sphTime runTime(args);
-
+    #include "createTime.H"
     #include "createMesh.H"
 
-    Info<< "Reading particle mesh\n" << endl;
-    const autoPtr<SPH::sphMesh> particles(SPH::treatedParticleMesh(mesh));
-
+    SPH::flowSolver::checkCase(args, mesh);
+    const autoPtr<SPH::particleMesh> particles(SPH::treatedParticleMesh(mesh));
     SPH::weaklyCompressibleFlow flow(runTime, *particles);
 
     Info<< "Starting time loop\n" << endl;
@@ -49,13 +46,7 @@ int main(int argc, char *argv[])
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
         flow.advance();
-
-        if (runTime.writeTime())
-        {
-            flow.writeTime();
-        }
-
-        runTime.printProgress();
+        flow.write();
     }
 
     Info<< "End\n" << endl;

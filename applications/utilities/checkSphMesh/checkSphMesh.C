@@ -9,7 +9,7 @@ Application
     checkSphMesh
 
 Description
-    Checks the particle mesh in constant/sphMesh: what checkMesh is to cells.
+    Checks the particles of sph/: what checkMesh is to cells.
 
     Prints the quality measures of the particles and of their closure, marks
     those beyond their limit with ***, and writes all of them to
@@ -37,6 +37,9 @@ Usage
 #include "fluidRegion.H"
 #include "meshQuality.H"
 #include "meshQualityVtp.H"
+#include "particleFiles.H"
+#include "particleMesh.H"
+#include "particleResults.H"
 #include "patchSurface.H"
 #include "qualityPicture.H"
 #include "solidBodies.H"
@@ -59,8 +62,12 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    const SPH::sphMesh particles(mesh);
-    const List<SPH::particleSet> solids(SPH::readSolidParticles(mesh));
+    const SPH::particleResults results(runTime);
+    const SPH::particleMesh particles(results.mesh());
+    const List<SPH::particleSet> solids
+    (
+        SPH::readSolidParticles(SPH::particleFiles(results.mesh().time()))
+    );
 
     const SPH::patchSurface surface(mesh, particles.space());
 
@@ -78,7 +85,10 @@ int main(int argc, char *argv[])
         bodies.valid() ? *bodies : none,
         particles.W().support(max(particles.spacing()))
     );
-    const SPH::meshQuality quality(particles, solids, fluid.distance());
+    const SPH::meshQuality quality
+    (
+        mesh, particles, solids, fluid.distance()
+    );
 
     Info<< "Time = " << runTime.timeName() << nl << nl
         << "Particle mesh" << nl
@@ -97,7 +107,7 @@ int main(int argc, char *argv[])
     quality.write(folder/"quality.csv");
     if (args.found("writeVTK"))
     {
-        SPH::writeMeshQualityVtp(particles, solids, quality, folder);
+        SPH::writeMeshQualityVtp(mesh, particles, solids, quality, folder);
     }
     if (args.found("picture") || args.found("view"))
     {
@@ -110,13 +120,13 @@ int main(int argc, char *argv[])
             );
             SPH::writeQualityPicture
             (
-                particles, quality, view, folder/"particles.png"
+                mesh, particles, quality, view, folder/"particles.png"
             );
             if (particles.space().nDims() == 2)
             {
                 SPH::writeAreaVectorPicture
                 (
-                    particles, view, folder/"areaVectors.png"
+                    mesh, particles, view, folder/"areaVectors.png"
                 );
             }
         }

@@ -11,7 +11,8 @@ Application
 Description
     Compares SPH fields \<field\>.sph with the FVM fields \<field\> of the same
     case and time, or of another case: norms, pictures, profiles and a report
-    in postProcessing/compareSphFields/\<time\>.
+    in postProcessing/compareSphFields/\<time\>. First maps the fields of the
+    particle case sph/ that are newer than what was mapped from them.
 
 Usage
     \b compareSphFields [-time RANGES | -latestTime] [-fields '(U p)']
@@ -27,10 +28,43 @@ Usage
 #include "comparisonProfiles.H"
 #include "comparisonReport.H"
 #include "IOdictionary.H"
+#include "particleCase.H"
+#include "particlesToMesh.H"
 #include "timeSelector.H"
 #include "virtualDisplay.H"
 
 using namespace Foam;
+
+//- Map what is new in the particle case and has an FVM field to compare with
+void mapNewFields
+(
+    Time& runTime,
+    const fvMesh& mesh,
+    const SPH::particleResults& particles,
+    const SPH::referenceCase& reference
+)
+{
+    const SPH::particlesToMesh mapper(mesh, particles);
+    const instant now(runTime.value(), runTime.timeName());
+
+    for (const instant& time : particles.times())
+    {
+        const wordList fields(reference.objects(time).sortedNames());
+        if (fields.size() && time.name() != runTime.constant())
+        {
+            wordRes names(fields.size());
+            forAll(fields, i)
+            {
+                names[i] = wordRe(fields[i], wordRe::LITERAL);
+            }
+            runTime.setTime(time, 0);
+            mapper.write(names, true);
+        }
+    }
+    runTime.setTime(now, 0);
+    Info<< endl;
+}
+
 
 int main(int argc, char *argv[])
 {
@@ -74,6 +108,14 @@ int main(int argc, char *argv[])
       ? SPH::referenceCase(mesh, args.get<fileName>("reference"))
       : SPH::referenceCase(mesh)
     );
+
+    autoPtr<SPH::particleResults> particles;
+    if (isDir(runTime.path()/SPH::particleCase::folder))
+    {
+        particles.reset(new SPH::particleResults(runTime));
+        mapNewFields(runTime, mesh, *particles, reference);
+    }
+
     const SPH::commonFields common(mesh, reference, controls.fields());
     common.print();
 
@@ -94,7 +136,10 @@ int main(int argc, char *argv[])
         {
             pictures.reset
             (
-                new SPH::comparisonPictures(mesh, space, controls)
+                new SPH::comparisonPictures
+                (
+                    mesh, space, controls, particles.get()
+                )
             );
         }
         else
@@ -128,6 +173,7 @@ int main(int argc, char *argv[])
             const SPH::comparisonReport report
             (
                 mesh,
+                particles.get(),
                 reference,
                 common,
                 comparison,

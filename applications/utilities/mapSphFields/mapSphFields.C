@@ -9,26 +9,30 @@ Application
     mapSphFields
 
 Description
-    Maps the particle fields stored in \<time\>/lagrangian/sph to volFields
-    \<time\>/\<field\>.sph on the case's mesh. The FVM fields stay as they are.
+    Maps the fields of the particle case, sph/\<time\>/\<field\> of whatever
+    solver, to volFields \<time\>/\<field\>.sph on the case's mesh. The FVM
+    fields stay as they are.
 
 Usage
     \b mapSphFields [-time RANGES | -latestTime] [-fields '(U p)']
 
 \*---------------------------------------------------------------------------*/
 
-#include "argList.H"
-#include "storedFields.H"
+#include "fvCFD.H"
+#include "particlesToMesh.H"
 #include "timeSelector.H"
 
 using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Map stored particle fields to volFields <time>/<field>.sph"
+        "Map fields of the particle case to volFields <time>/<field>.sph"
     );
+    argList::noParallel();
     timeSelector::addOptions(false, true);
     argList::addOption
     (
@@ -37,20 +41,16 @@ int main(int argc, char *argv[])
         "Map only the fields that match, eg '(U p)'; default: all"
     );
 
-    #include "addRegionOption.H"
     #include "setRootCase.H"
     #include "createTime.H"
-
-    const instantList times(timeSelector::select0(runTime, args));
-
-    #include "createNamedMesh.H"
+    #include "createMesh.H"
 
     wordRes names;
     args.readListIfPresent("fields", names);
 
-    const SPH::sphMesh particles(mesh);
-    const SPH::particlesToMesh mapper(particles);
-    const SPH::storedFields fields(particles, mapper);
+    const SPH::particleResults particles(runTime);
+    const SPH::particlesToMesh mapper(mesh, particles);
+    const instantList times(timeSelector::select(particles.times(), args));
 
     label nMapped = 0;
     forAll(times, timei)
@@ -58,16 +58,14 @@ int main(int argc, char *argv[])
         runTime.setTime(times[timei], timei);
         Info<< "Time = " << runTime.timeName() << nl;
 
-        nMapped += fields.map(names);
+        nMapped += mapper.write(names);
     }
 
     if (nMapped == 0)
     {
         FatalErrorInFunction
             << "Nothing to map: none of the selected times of "
-            << runTime.path() << " has matching particle fields in "
-            << SPH::storedFields::folder()
-            << " and a volField that gives their boundary conditions"
+            << particles.mesh().time().path() << " has matching fields"
             << exit(FatalError);
     }
 

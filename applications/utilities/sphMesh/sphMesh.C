@@ -9,13 +9,16 @@ Application
     sphMesh
 
 Description
-    Generates body-fitted particles from the mesh of a case: what blockMesh
-    is to cells.
+    Generates body-fitted particles from the mesh of a case and writes them as
+    a case of their own, sph/, whose mesh is the particles: what blockMesh is
+    to cells.
 
-    Reads the mesh and system/sphMeshDict, fills the fluid and the solid
-    bodies with particles, relaxes them, finds the pairs and their area
-    vectors, closes every particle and writes constant/sphMesh. A particle
-    mesh that already belongs to this mesh and dictionary is kept.
+    Reads the mesh and system/sphMeshDict (without it particles follow the
+    cells), fills the fluid and the solid bodies with particles, relaxes them,
+    finds the pairs and their area vectors and closes every particle. Maps the
+    fields of the start time with their boundary conditions. Particles that
+    already belong to this mesh and dictionary are kept, and so is what was
+    edited in sph/.
 
 Usage
     \b sphMesh [OPTION]
@@ -23,71 +26,83 @@ Usage
       - \par -dict \<file\>
         Alternative to system/sphMeshDict
 
+      - \par -init
+        Write a commented system/sphMeshDict, and stop
+
       - \par -dry-run
-        Say the number of particles, the memory and the grid, and stop
+        Say the number of particles, the memory and the time, and stop
 
       - \par -overwrite
-        Regenerate even if the stored particle mesh is up to date
+        Generate anew in any case; results on the old particles are removed
 
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "contactFaces.H"
 #include "particleGenerator.H"
 #include "particleMeshAssembly.H"
 #include "particleMeshProperties.H"
+#include "startFields.H"
+#include "surfaceVectorClosure.H"
+#include "OSspecific.H"
 
 using namespace Foam;
 using namespace Foam::SPH;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+//- Copy the commented dictionary into the case
+void writeDefaultDict(const Time& runTime)
 {
-    argList::addNote("Generate body-fitted particles from a mesh");
-    argList::noParallel();
-    argList::addOption("dict", "file", "Alternative to system/sphMeshDict");
-    argList::addBoolOption("dry-run", "Say what would be generated, and stop");
-    argList::addBoolOption("overwrite", "Regenerate in any case");
-
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createMesh.H"
-
-    const IOdictionary dict(readSphMeshDict(mesh, args));
-    dictionary properties(particleMeshProperties(mesh, dict));
-
-    if
+    const fileName to(runTime.path()/runTime.system()/"sphMeshDict");
+    const fileName from
     (
-        !args.found("overwrite")
-     && !args.found("dry-run")
-     && SPH::sphMesh::storedDigest(mesh) == properties.get<word>("digest")
-    )
+        fileName(getEnv("EULERIANSPH_DIR"))
+       /"etc"/"caseDicts"/"annotated"/"sphMeshDict"
+    );
+
+    if (isFile(to))
     {
-        Info<< "The particle mesh in " << SPH::sphMesh::directory(mesh)
-            << " is up to date\n\nEnd\n" << endl;
-        return 0;
+        FatalErrorInFunction
+            << to << " exists already: it is not overwritten"
+            << exit(FatalError);
     }
-
-    const autoPtr<closure> method(closure::New(dict.subOrEmptyDict("closure")));
-    particleGenerator generator(mesh, dict);
-
-    if (generator.filesCutMesh() && method->type() != noClosure::typeName)
+    if (!cp(from, to))
     {
-        FatalIOErrorInFunction(dict)
-            << "Bodies read from files overlap the mesh, which has no patches"
-            << " there to close the particles' areas with. Use a mesh whose"
-            << " patches are the bodies, made by snappyHexMesh or polygonMesh,"
-            << " or 'closure {type none;}' for particles alone"
-            << exit(FatalIOError);
+        FatalErrorInFunction
+            << "Cannot copy " << from << " to " << to << ": source"
+            << " eulerianSPH's etc/bashrc first" << exit(FatalError);
     }
+    Info<< "Written " << to << nl << endl;
+}
 
-    if (args.found("dry-run"))
+
+//- FatalError for cases of several regions
+void checkRegions(const Time& runTime)
+{
+    const fileName file(runTime.path()/runTime.constant()/"regionProperties");
+
+    if (isFile(file))
     {
-        generator.estimate(Info);
-        Info<< "End\n" << endl;
-        return 0;
+        FatalErrorInFunction
+            << "The case has several regions (" << file << "), which are not"
+            << " supported. Valid choices: a case of one mesh in"
+            << " constant/polyMesh" << exit(FatalError);
     }
+}
 
+
+//- Generate, relax and close the particles and write them
+void generateParticles
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    particleGenerator& generator,
+    const closure& method,
+    dictionary& properties,
+    particleCase& sph
+)
+{
     generator.generate();
     if (generator.monitor().history().size())
     {
@@ -104,27 +119,126 @@ int main(int argc, char *argv[])
     }
 
     Info<< "Pairs and closure" << endl;
-    const SPH::sphMesh particles
+    const particleMeshData data
     (
-        mesh,
-        properties,
         assembleParticleMesh
         (
             mesh,
             generator.W(),
             generator.fluid(),
             generator.fluidDistance(),
-            *method
+            method
         )
     );
 
-    particles.writeMesh(generator.solids());
+    boundaryFaces contact;
+    if (method.type() == surfaceVectorClosure::typeName)
+    {
+        contact = contactFaces
+        (
+            mesh,
+            solutionSpace(mesh),
+            generator.W(),
+            data,
+            generator.solids(),
+            generator.fluidDistance()
+        );
+    }
 
-    Info<< "    particles: " << particles.nParticles()
-        << "  pairs: " << particles.nPairs()
-        << "  boundary faces: " << particles.boundary().nFaces() << nl
-        << "Written to " << SPH::sphMesh::directory(mesh) << nl << nl
-        << "ExecutionTime = " << runTime.elapsedCpuTime() << " s"
+    Info<< "    particles: " << data.points.size()
+        << "  pairs: " << data.owner.size()
+        << "  boundary faces: " << data.boundary.owner.size() << endl;
+
+    sph.writeMesh(properties, data, generator.solids(), contact);
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Generate body-fitted particles from a mesh");
+    argList::noParallel();
+    argList::addOption("dict", "file", "Alternative to system/sphMeshDict");
+    argList::addBoolOption("init", "Write a commented sphMeshDict, and stop");
+    argList::addBoolOption("dry-run", "Say what would be generated, and stop");
+    argList::addBoolOption("overwrite", "Generate anew in any case");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    if (args.found("init"))
+    {
+        writeDefaultDict(runTime);
+        return 0;
+    }
+
+    runTime.setTime(particleCase::startTime(runTime), 0);
+    checkRegions(runTime);
+
+    // Not by createMesh.H: with -dry-run that makes another mesh
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    const fvMesh mesh
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
+
+    const IOdictionary dict(readSphMeshDict(mesh, args));
+    dictionary properties(particleMeshProperties(mesh, dict));
+    particleCase sph(mesh);
+
+    if
+    (
+        !args.found("overwrite")
+     && !args.found("dry-run")
+     && sph.digest() == properties.get<word>("digest")
+    )
+    {
+        Info<< "The particles in " << sph.path() << " are up to date" << endl;
+        sph.updateSource();
+    }
+    else
+    {
+        const autoPtr<closure> method
+        (
+            closure::New(dict.subOrEmptyDict("closure"))
+        );
+        particleGenerator generator(mesh, dict);
+
+        if (generator.filesCutMesh() && method->type() != noClosure::typeName)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Bodies read from files overlap the mesh, which has no"
+                << " patches there to close the particles' areas with. Use a"
+                << " mesh whose patches are the bodies, made by snappyHexMesh"
+                << " or polygonMesh, or 'closure {type none;}' for particles"
+                << " alone" << exit(FatalIOError);
+        }
+
+        if (args.found("dry-run"))
+        {
+            generator.estimate(Info);
+            Info<< "End\n" << endl;
+            return 0;
+        }
+
+        if (args.found("overwrite"))
+        {
+            sph.removeResults();
+        }
+        sph.requireNoResults();
+        generateParticles(mesh, dict, generator, *method, properties, sph);
+    }
+
+    Info<< "Particle case " << sph.path() << endl;
+    sph.writeDictionaries();
+    startFields(mesh, sph).write();
+
+    Info<< nl << "ExecutionTime = " << runTime.elapsedCpuTime() << " s"
         << "  ClockTime = " << runTime.elapsedClockTime() << " s\n\nEnd\n"
         << endl;
 

@@ -1,0 +1,332 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mirroredFaces.H"
+#include "boundaryElements.H"
+#include "cellGrid.H"
+#include "kernelShapes.H"
+#include "emptyPolyPatch.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Shares below this fraction of an element's largest are not worth a face
+    static const scalar smallestShare = 0.02;
+
+    //- Least distance of a particle to its boundary face over the spacing
+    static const scalar smallestDistance = 0.05;
+
+    //- A particle, its weight at an element, and its height above the
+    //- element's plane over its spacing
+    struct share
+    {
+        label particle;
+        scalar weight;
+        scalar height;
+    };
+
+    typedef std::vector<share> shareList;
+
+    //- The part of an FVM face that belongs to one particle
+    struct part
+    {
+        label particle;
+        vector Sf;
+        scalar area;
+        vector moment;
+    };
+
+    //- Does a particle lie in front of an element, 0 to 1: beyond an edge of
+    //- the body it is nearer to the plane of the element than to the surface
+    static scalar facing(const scalar height, const scalar nearest)
+    {
+        constexpr scalar none = 0.75;
+        constexpr scalar all = 0.9;
+        return
+            min(max((height/nearest - none)/(all - none), scalar(0)), scalar(1));
+    }
+
+    //- Does a particle belong to the first layer, 0 to 1, by its height above
+    //- that of the lowest one in spacings. A particle behind the first layer
+    //- would lend the wall a value from a spacing and a half away
+    static scalar inFirstLayer(const scalar height)
+    {
+        constexpr scalar all = 0.3;
+        constexpr scalar none = 0.7;
+        return min(max((none - height)/(none - all), scalar(0)), scalar(1));
+    }
+
+    //- Keep the shares of the first layer, sharpened towards the nearest
+    //- particle: the nearer the centre of a face is to the foot of its
+    //- particle, the less does a value differ between both
+    static void sharpen(shareList& shares)
+    {
+        scalar lowest = GREAT;
+        for (const share& s : shares)
+        {
+            lowest = min(lowest, s.height);
+        }
+
+        scalar largest = 0;
+        for (share& s : shares)
+        {
+            s.weight = pow4(s.weight*inFirstLayer(s.height - lowest));
+            largest = max(largest, s.weight);
+        }
+        shares.erase
+        (
+            std::remove_if
+            (
+                shares.begin(),
+                shares.end(),
+                [&](const share& s) { return s.weight <= smallestShare*largest; }
+            ),
+            shares.end()
+        );
+
+        scalar sum = 0;
+        for (const share& s : shares)
+        {
+            sum += s.weight;
+        }
+        for (share& s : shares)
+        {
+            s.weight /= sum;
+        }
+    }
+
+    static bool mirrored(const polyPatch& pp)
+    {
+        return !pp.coupled() && !isA<emptyPolyPatch>(pp);
+    }
+
+    //- The particles that share each element
+    static std::vector<shareList> elementShares
+    (
+        const solutionSpace& space,
+        const kernel& W,
+        const particleMeshData& data,
+        const vectorField& points,
+        const std::vector<boundaryElement>& elements
+    )
+    {
+        vectorField centres(elements.size());
+        forAll(centres, e)
+        {
+            centres[e] = space.toLocal(elements[e].centre);
+        }
+
+        std::vector<shareList> shares(elements.size());
+        const cellGrid grid(centres, W.support(min(data.spacing)));
+        DynamicList<label> near;
+
+        forAll(points, i)
+        {
+            const scalar radius = W.support(data.spacing[i]);
+
+            scalar nearest = radius;
+            near.clear();
+            grid.forNear
+            (
+                points[i],
+                radius,
+                [&](const label e)
+                {
+                    nearest = min(nearest, mag(centres[e] - points[i]));
+                    near.append(e);
+                }
+            );
+
+            for (const label e : near)
+            {
+                const vector r(centres[e] - points[i]);
+                const scalar height =
+                    (space.toGlobal(r) & elements[e].Sf)/mag(elements[e].Sf);
+                const scalar front = facing(height, nearest);
+
+                if (front > 0 && magSqr(r) < radius*radius)
+                {
+                    // A positive shape, whatever the kernel is
+                    const scalar q = WendlandC2Shape::cutOff*mag(r)/radius;
+                    shares[e].push_back
+                    ({
+                        i,
+                        front*WendlandC2Shape::w(q),
+                        height/data.spacing[i]
+                    });
+                }
+            }
+        }
+
+        for (shareList& s : shares)
+        {
+            sharpen(s);
+        }
+
+        return shares;
+    }
+
+    //- Add an element's shares to the parts of its face
+    static void addParts
+    (
+        const boundaryElement& element,
+        const shareList& shares,
+        std::vector<part>& parts
+    )
+    {
+        for (const share& s : shares)
+        {
+            auto found = std::find_if
+            (
+                parts.begin(),
+                parts.end(),
+                [&](const part& p) { return p.particle == s.particle; }
+            );
+            if (found == parts.end())
+            {
+                found = parts.insert(found, {s.particle, Zero, 0, Zero});
+            }
+
+            const vector Sf(s.weight*element.Sf);
+            found->Sf += Sf;
+            found->area += mag(Sf);
+            found->moment += mag(Sf)*element.centre;
+        }
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
+(
+    const fvMesh& mesh,
+    const solutionSpace& space,
+    const kernel& W,
+    const particleMeshData& data
+)
+{
+    vectorField points(data.points.size());
+    forAll(points, i)
+    {
+        points[i] = space.toLocal(data.points[i]);
+    }
+    const scalar finest = W.support(min(data.spacing));
+    const cellGrid particles(points, finest);
+
+    // Elements of all faces, in the order of the patches
+    std::vector<boundaryElement> elements;
+    DynamicList<label> start;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (mirrored(pp))
+        {
+            forAll(pp, facei)
+            {
+                const vector centre(space.toLocal(pp.faceCentres()[facei]));
+                const label nearest =
+                    particles.nearest(points, centre, finest);
+
+                start.append(elements.size());
+                cutFace
+                (
+                    mesh,
+                    space,
+                    pp.start() + facei,
+                    data.spacing[nearest],
+                    elements
+                );
+            }
+        }
+    }
+    start.append(elements.size());
+
+    std::vector<shareList> shares
+    (
+        elementShares(space, W, data, points, elements)
+    );
+    for (label e = 0; e < label(elements.size()); ++e)
+    {
+        if (shares[e].empty())
+        {
+            const vector centre(space.toLocal(elements[e].centre));
+            shares[e].push_back
+            ({
+                particles.nearest(points, centre, finest), 1, 0
+            });
+        }
+    }
+
+    boundaryFaces boundary;
+    DynamicList<label> owner, local;
+    DynamicList<vector> Sf, Cf;
+    DynamicList<scalar> distance;
+
+    boundary.start = labelList(mesh.boundary().size() + 1, Zero);
+    label counter = 0;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        const label nFaces = mirrored(pp) ? pp.size() : 0;
+        for (label facei = 0; facei < nFaces; ++facei, ++counter)
+        {
+            std::vector<part> parts;
+            for (label e = start[counter]; e < start[counter + 1]; ++e)
+            {
+                addParts(elements[e], shares[e], parts);
+            }
+
+            // Round-off of the sum goes to the largest part
+            vector missing(mesh.faceAreas()[pp.start() + facei]);
+            auto largest = parts.begin();
+            for (auto p = parts.begin(); p != parts.end(); ++p)
+            {
+                missing -= p->Sf;
+                largest = p->area > largest->area ? p : largest;
+            }
+            largest->Sf += missing;
+
+            for (const part& p : parts)
+            {
+                const point centre(p.moment/p.area);
+                const vector r(centre - data.points[p.particle]);
+
+                owner.append(p.particle);
+                Sf.append(p.Sf);
+                Cf.append(centre);
+                distance.append
+                (
+                    max
+                    (
+                        (r & p.Sf)/p.area,
+                        smallestDistance*data.spacing[p.particle]
+                    )
+                );
+                local.append(facei);
+            }
+        }
+        boundary.start[pp.index() + 1] = owner.size();
+    }
+
+    boundary.owner.transfer(owner);
+    boundary.Sf.transfer(Sf);
+    boundary.Cf.transfer(Cf);
+    boundary.distance.transfer(distance);
+    boundary.face.transfer(local);
+
+    return boundary;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleResults.H"
+#include "particleCase.H"
+#include "particleFiles.H"
+#include "labelIOList.H"
+#include "scalarIOField.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::particleResults::particleResults(const Time& runTime)
+:
+    time_(particleCase::openTime(runTime)),
+    mesh_
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion,
+            time_->timeName(),
+            *time_,
+            IOobject::MUST_READ
+        )
+    ),
+    spacing_(scalarIOField(particleFiles(*time_).arrayIO("spacing"))),
+    boundaryFace_(labelIOList(particleFiles(*time_).arrayIO("boundaryFace")))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::SPH::particleResults::timeName(const instant& time) const
+{
+    for (const instant& t : times())
+    {
+        if (mag(t.value() - time.value()) <= 1e-9*mag(t.value()))
+        {
+            return t.name();
+        }
+    }
+    return word::null;
+}
+
+
+Foam::IOobjectList Foam::SPH::particleResults::fields
+(
+    const instant& time
+) const
+{
+    const word name(timeName(time));
+    IOobjectList objects;
+
+    if (name.size())
+    {
+        const IOobjectList all(mesh_, name);
+        forAllConstIters(all, iter)
+        {
+            const word& className = iter()->headerClassName();
+            if (className.starts_with("vol") && className.ends_with("Field"))
+            {
+                autoPtr<IOobject> io(new IOobject(*iter()));
+                objects.add(io);
+            }
+        }
+    }
+    return objects;
+}
+
+
+// ************************************************************************* //

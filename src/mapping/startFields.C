@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "startFields.H"
+#include "cellSpacing.H"
+#include "IOdictionary.H"
+#include "meshSearch.H"
+#include "particleFiles.H"
+#include "scalarIOField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Change over half a cell, relative, above which a field jumps
+    static const scalar jump = 0.1;
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::SPH::startFields::isNewtonian() const
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "turbulenceProperties",
+            mesh_.time().constant(),
+            mesh_.time(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    // The key of the laminar model has changed with OpenFOAM's versions
+    const dictionary laminar(properties.subOrEmptyDict("laminar"));
+    bool newtonian =
+        properties.getOrDefault<word>("simulationType", "laminar")
+     == "laminar";
+    for (const word key : {"laminarModel", "model"})
+    {
+        const word model(laminar.getOrDefault<word>(key, "Stokes"));
+        newtonian = newtonian && (model == "Stokes" || model == "laminar");
+    }
+    return newtonian;
+}
+
+
+void Foam::SPH::startFields::findCells()
+{
+    const meshSearch search(mesh_, polyMesh::FACE_PLANES);
+    const pointField& points = particles_.cellCentres();
+
+    cells_.setSize(points.size());
+    label seed = -1;
+    forAll(cells_, i)
+    {
+        label celli = search.findCell(points[i], seed, true);
+        if (celli < 0)
+        {
+            celli = search.findNearestCell(points[i], seed, true);
+        }
+        cells_[i] = seed = celli;
+    }
+}
+
+
+void Foam::SPH::startFields::markJumps(const volScalarField& field)
+{
+    const scalarField& values = field.primitiveField();
+    const scalar lowest = min(values);
+    const scalar highest = max(values);
+    if (highest - lowest <= jump*mag(lowest) && lowest > 0)
+    {
+        return;
+    }
+
+    const scalarField mapped(toParticles_.map(field));
+    forAll(cells_, i)
+    {
+        const scalar value = values[cells_[i]];
+        const scalar change = mag(mapped[i] - value);
+        const bool bound = value == lowest || value == highest;
+
+        if
+        (
+            (lowest > 0 && change > jump*value)
+         || (bound && change > jump*(highest - lowest))
+        )
+        {
+            beside_[i] = true;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
+:
+    mesh_(mesh),
+    case_(sph),
+    particles_(sph.particles()),
+    objects_(mesh, mesh.time().timeName()),
+    toParticles_
+    (
+        mesh,
+        particles_.cellCentres(),
+        scalarIOField(particleFiles(particles_.time()).arrayIO("spacing"))
+    ),
+    cells_(),
+    beside_(particles_.nCells(), false),
+    newtonian_(isNewtonian())
+{
+    findCells();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::startFields::write()
+{
+    forAllConstIters(objects_, iter)
+    {
+        const IOobject& io = *iter();
+        if
+        (
+            io.headerClassName() == volScalarField::typeName
+         && IOobject::group(io.name()) != "sph"
+        )
+        {
+            markJumps(volScalarField(io, mesh_));
+        }
+    }
+
+    mapType<scalar>();
+    mapType<vector>();
+    mapType<sphericalTensor>();
+    mapType<symmTensor>();
+    mapType<tensor>();
+    case_.files().write();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "startFields.H"
+#include "directFvPatchFieldMapper.H"
+#include "fixedValueFvPatchFields.H"
+#include "noSlipFvPatchVectorField.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::SPH::startFields::refines
+(
+    const word& field,
+    const fvPatchField<Type>& patchField
+) const
+{
+    return
+        newtonian_
+     && (field == "U" || field == "T")
+     && isA<wallFvPatch>(patchField.patch())
+     && (
+            patchField.type() == fixedValueFvPatchField<Type>::typeName
+         || patchField.type() == noSlipFvPatchVectorField::typeName
+        );
+}
+
+
+template<class Type>
+Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const label patchi,
+    const DimensionedField<Type, volMesh>& internal
+) const
+{
+    const fvPatch& patch = particles_.boundary()[patchi];
+
+    // Pairs across several periods have a patch that FVM does not have
+    if (patchi >= mesh_.boundary().size())
+    {
+        return fvPatchField<Type>::New(patch.type(), patch, internal);
+    }
+
+    const label start =
+        patch.patch().start() - particles_.nInternalFaces();
+    labelList addressing
+    (
+        SubList<label>(case_.boundaryFace(), patch.patch().size(), start)
+    );
+    if (isA<emptyPolyPatch>(patch.patch()))
+    {
+        addressing.clear();
+    }
+
+    const fvPatchField<Type>& from = field.boundaryField()[patchi];
+    const directFvPatchFieldMapper mapper(addressing);
+
+    if (refines(field.name(), from))
+    {
+        auto trefined = fvPatchField<Type>::New
+        (
+            "quadraticFixedValue", patch, internal
+        );
+        trefined.ref() == Field<Type>(from, addressing);
+        return trefined;
+    }
+
+    return fvPatchField<Type>::New(from, patch, internal, mapper);
+}
+
+
+template<class Type>
+void Foam::SPH::startFields::mapField
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field
+)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    const fileName file(fileName(mesh_.time().timeName())/field.name());
+    if (!case_.files().mayWrite(file))
+    {
+        return;
+    }
+
+    Field<Type> values(toParticles_.map(field));
+    forAll(values, i)
+    {
+        if (beside_[i])
+        {
+            values[i] = field[cells_[i]];
+        }
+    }
+
+    fieldType mapped
+    (
+        IOobject
+        (
+            field.name(),
+            particles_.time().timeName(),
+            particles_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        particles_,
+        dimensioned<Type>(field.dimensions(), Zero)
+    );
+    mapped.primitiveFieldRef() = values;
+
+    forAll(mapped.boundaryField(), patchi)
+    {
+        mapped.boundaryFieldRef().set
+        (
+            patchi, mapPatch(field, patchi, mapped.internalField())
+        );
+    }
+
+    const unsigned precision = IOstream::defaultPrecision(12);
+    if (!mapped.write())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << mapped.objectPath() << exit(FatalError);
+    }
+    IOstream::defaultPrecision(precision);
+    case_.files().add(file);
+}
+
+
+template<class Type>
+void Foam::SPH::startFields::mapType()
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    for (const word& name : objects_.sortedNames(fieldType::typeName))
+    {
+        if (IOobject::group(name) != "sph")
+        {
+            IOobject io(*objects_[name]);
+            io.readOpt() = IOobject::MUST_READ;
+            mapField(fieldType(io, mesh_));
+        }
+    }
+}
+
+
+// ************************************************************************* //

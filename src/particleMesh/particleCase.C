@@ -1,0 +1,333 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleCase.H"
+#include "contactBoundary.H"
+#include "particleFiles.H"
+#include "particlePolyMesh.H"
+#include "solidParticles.H"
+#include "labelIOList.H"
+#include "OSspecific.H"
+#include "scalarIOField.H"
+#include "vectorIOField.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    const word particleCase::folder("sph");
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    static const word meshFolder("polyMesh");
+
+    //- Folder of constant/, and region, where new files wait until all of
+    //- them are written
+    static const word newFolder("new");
+
+    static autoPtr<Time> makeTime(const fileName& path)
+    {
+        return autoPtr<Time>
+        (
+            new Time
+            (
+                Time::controlDictName,
+                path.path(),
+                fileName(path.name()),
+                word("system"),
+                word("constant"),
+                false
+            )
+        );
+    }
+
+    static void moveFile(const fileName& from, const fileName& to)
+    {
+        if (!mv(from, to))
+        {
+            FatalErrorInFunction
+                << "Cannot move " << from << " to " << to
+                << exit(FatalError);
+        }
+    }
+
+    //- Arrays that the geometry of the polyMesh gives only nearly
+    static void writeInexact
+    (
+        const particleFiles& files,
+        const polyMesh& mesh,
+        const particleMeshData& data
+    )
+    {
+        constexpr scalar exact = 1e-9;
+
+        if (max(mag(mesh.cellCentres() - data.points)/data.spacing)
+          > exact)
+        {
+            files.writeArray<vectorIOField>("points", data.points);
+        }
+        if (max(mag(mesh.cellVolumes()/data.V - 1)) > exact)
+        {
+            files.writeArray<scalarIOField>("V", data.V);
+        }
+    }
+
+    //- Folders of times, but for the start
+    static fileNameList resultFolders
+    (
+        const fileName& path,
+        const word& start
+    )
+    {
+        DynamicList<fileName> folders;
+        for (const instant& time : Time::findTimes(path))
+        {
+            if (time.name() != "constant" && time.name() != start)
+            {
+                folders.append(path/time.name());
+            }
+        }
+        for (const fileName& name : readDir(path, fileName::DIRECTORY))
+        {
+            if (name.starts_with("processor"))
+            {
+                folders.append(path/name);
+            }
+        }
+        return fileNameList(std::move(folders));
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::particleCase::readMesh()
+{
+    if (!timePtr_.valid())
+    {
+        timePtr_ = makeTime(path_);
+        timePtr_->setTime(startTime(mesh_.time()), 0);
+    }
+    if (!particleMeshPtr_.valid())
+    {
+        particleMeshPtr_.reset
+        (
+            new fvMesh
+            (
+                IOobject
+                (
+                    polyMesh::defaultRegion,
+                    timePtr_->timeName(),
+                    *timePtr_,
+                    IOobject::MUST_READ
+                )
+            )
+        );
+        boundaryFace_ =
+            labelIOList(particleFiles(*timePtr_).arrayIO("boundaryFace"));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::particleCase::particleCase(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    path_(mesh.time().path()/folder),
+    files_(path_)
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::Time> Foam::SPH::particleCase::openTime
+(
+    const Time& runTime
+)
+{
+    const fileName path(runTime.path()/folder);
+    if (!isFile(path/"system"/"controlDict"))
+    {
+        FatalErrorInFunction
+            << "There is no particle case " << path
+            << ". Generate it with sphMesh" << exit(FatalError);
+    }
+
+    autoPtr<Time> timePtr(makeTime(path));
+    particleFiles(*timePtr).requireCurrent();
+    return timePtr;
+}
+
+
+Foam::instant Foam::SPH::particleCase::startTime(const Time& runTime)
+{
+    const word from
+    (
+        runTime.controlDict().getOrDefault<word>("startFrom", "latestTime")
+    );
+
+    if (from == "startTime")
+    {
+        const scalar start = runTime.controlDict().get<scalar>("startTime");
+        return instant(start, Time::timeName(start));
+    }
+
+    // Later times are results of FVM
+    for (const instant& time : runTime.times())
+    {
+        if (time.name() != runTime.constant())
+        {
+            return time;
+        }
+    }
+
+    return instant(0, "0");
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::SPH::particleCase::digest() const
+{
+    if
+    (
+        !isFile(path_/"system"/"controlDict")
+     || !isFile(path_/"constant"/particleFiles::folder/"sphMeshProperties")
+    )
+    {
+        return word::null;
+    }
+
+    return
+        particleFiles(makeTime(path_)()).properties()
+       .getOrDefault<word>("digest", word::null);
+}
+
+
+void Foam::SPH::particleCase::updateSource() const
+{
+    const autoPtr<Time> timePtr(makeTime(path_));
+    const particleFiles files(*timePtr);
+    dictionary properties(files.properties());
+    const dictionary source
+    (
+        particleFiles::sourceDigests(mesh_.time().path())
+    );
+
+    if (properties.subOrEmptyDict("source") != source)
+    {
+        properties.set("source", source);
+        files.writeDictionary("sphMeshProperties", properties);
+    }
+}
+
+
+void Foam::SPH::particleCase::requireNoResults() const
+{
+    const fileNameList folders
+    (
+        resultFolders(path_, startTime(mesh_.time()).name())
+    );
+
+    if (folders.size())
+    {
+        FatalErrorInFunction
+            << "There are results on the present particles, which new ones"
+            << " would make unreadable: " << folders.first()
+            << (folders.size() > 1 ? " and others" : "") << nl
+            << "    Move them, or let 'sphMesh -overwrite' remove them"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::SPH::particleCase::removeResults() const
+{
+    for
+    (
+        const fileName& name
+      : resultFolders(path_, startTime(mesh_.time()).name())
+    )
+    {
+        rmDir(name);
+    }
+}
+
+
+void Foam::SPH::particleCase::writeMesh
+(
+    const dictionary& properties,
+    const particleMeshData& data,
+    const UList<particleSet>& solids,
+    const boundaryFaces& contact
+)
+{
+    writeDictionaries();
+
+    // Those may have looked at the particles that are replaced here
+    particleMeshPtr_.clear();
+    timePtr_ = makeTime(path_);
+    timePtr_->setTime(startTime(mesh_.time()), 0);
+
+    // A complete new folder replaces the old one at the end, so that an
+    // interrupted run leaves no mixture of two particle meshes
+    const fileName constant(path_/timePtr_->constant());
+    rmDir(constant/newFolder, true);
+
+    const solutionSpace space(mesh_);
+    particlePolyMesh mesh(mesh_, space, data);
+    const autoPtr<polyMesh> meshPtr(mesh.makeMesh(*timePtr_, newFolder));
+    if (!meshPtr->write())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << constant/newFolder/meshFolder
+            << exit(FatalError);
+    }
+
+    const particleFiles files(*timePtr_, newFolder);
+    files.writeArray<scalarIOField>("spacing", data.spacing);
+    files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
+    writeInexact(files, *meshPtr, data);
+    if (solids.size())
+    {
+        writeSolidParticles(files, solids);
+    }
+    if (contact.owner.size())
+    {
+        writeContactBoundary(files, *meshPtr, contact);
+    }
+
+    dictionary stored(properties);
+    stored.add("source", particleFiles::sourceDigests(mesh_.time().path()));
+    stored.add("nParticles", data.points.size());
+    stored.add("nPairs", data.owner.size());
+    files.writeDictionary("sphMeshProperties", stored);
+
+    for (const word& name : {meshFolder, particleFiles::folder})
+    {
+        rmDir(constant/name, true);
+        moveFile(constant/newFolder/name, constant/name);
+    }
+    rmDir(constant/newFolder, true);
+    files_.write();
+}
+
+
+// ************************************************************************* //

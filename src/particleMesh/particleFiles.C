@@ -1,0 +1,181 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "particleFiles.H"
+#include "compat.H"
+#include "OSspecific.H"
+#include "SHA1.H"
+
+#include <fstream>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    const word particleFiles::folder("sphMesh");
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::particleFiles::checkWritten
+(
+    const bool written,
+    const regIOobject& object
+)
+{
+    if (!written)
+    {
+        FatalErrorInFunction
+            << "Cannot write " << object.objectPath() << exit(FatalError);
+    }
+}
+
+
+void Foam::SPH::particleFiles::writeBinary(const regIOobject& object)
+{
+    checkWritten(writeAs(object, IOstream::BINARY), object);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::SPH::particleFiles::arrayIO
+(
+    const word& name,
+    const IOobject::readOption read
+) const
+{
+    return IOobject
+    (
+        name,
+        time_.constant(),
+        local_,
+        time_,
+        read,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+bool Foam::SPH::particleFiles::found() const
+{
+    return arrayIO("sphMeshProperties").typeHeaderOk<IOdictionary>(true);
+}
+
+
+Foam::dictionary Foam::SPH::particleFiles::properties() const
+{
+    return
+        found()
+      ? dictionary(IOdictionary(arrayIO("sphMeshProperties")))
+      : dictionary();
+}
+
+
+void Foam::SPH::particleFiles::requireCurrent() const
+{
+    if (!found())
+    {
+        FatalErrorInFunction
+            << "The case " << time_.path() << " is no particle case: it has no"
+            << " constant/" << folder << "/sphMeshProperties." << nl
+            << "    In the FVM case, generate the particles with 'sphMesh' and"
+            << " run the solver with '-case sph'." << nl
+            << "    To take the cells of a mesh as particles, give the option"
+            << " -cells" << exit(FatalError);
+    }
+
+    const dictionary was(properties().subOrEmptyDict("source"));
+    const dictionary is(sourceDigests(time_.path().path()));
+
+    for (const entry& e : is)
+    {
+        const word& file = e.keyword();
+        if (was.found(file) && was.get<word>(file) != is.get<word>(file))
+        {
+            FatalErrorInFunction
+                << "The particles in " << time_.path()
+                << " are older than " << file << " of the FVM case "
+                << time_.path().path() << ": run sphMesh there"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::SPH::particleFiles::writeDictionary
+(
+    const word& name,
+    const dictionary& dict
+) const
+{
+    const unsigned precision = IOstream::defaultPrecision(17);
+    const IOdictionary object(arrayIO(name, IOobject::NO_READ), dict);
+    checkWritten(object.regIOobject::write(), object);
+    IOstream::defaultPrecision(precision);
+}
+
+
+Foam::dictionary Foam::SPH::particleFiles::sourceDigests
+(
+    const fileName& fvmCase
+)
+{
+    dictionary digests;
+    const auto add = [&](const word& name, const fileName& file)
+    {
+        const word digest(fileDigest(fvmCase/file));
+        if (digest.size())
+        {
+            digests.add(name, digest);
+        }
+    };
+
+    for (const word name : {"points", "faces", "boundary"})
+    {
+        add(name, fileName("constant")/"polyMesh"/name);
+    }
+
+    const fileName dict(fvmCase/"system"/"sphMeshDict");
+    digests.add("sphMeshDict", isFile(dict) ? fileDigest(dict) : word("none"));
+
+    return digests;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::SPH::fileDigest(const fileName& file)
+{
+    std::ifstream is(isFile(file, false) ? file : fileName(file + ".gz"));
+    if (!is)
+    {
+        return word::null;
+    }
+
+    SHA1 sha;
+    char buffer[65536];
+    do
+    {
+        is.read(buffer, sizeof(buffer));
+        sha.append(buffer, is.gcount());
+    }
+    while (is);
+
+    // The prefix keeps a leading digit from being read back as a number
+    return sha.digest().str(true);
+}
+
+
+// ************************************************************************* //

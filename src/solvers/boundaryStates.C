@@ -1,0 +1,211 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "boundaryStates.H"
+#include "basicSymmetryFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::boundaryStates::setCells(const slicedField& W)
+{
+    vectorField& U = U_.primitiveFieldRef();
+    for (label d = 0; d < loopDims(particles_); ++d)
+    {
+        const scalar* values = W[1 + d];
+        const direction axis = particles_.space().axis(d);
+        for (const label i : cells_)
+        {
+            U[i][axis] = values[i];
+        }
+    }
+
+    for (const scalarVariable& s : scalars_)
+    {
+        const scalar* values = W[s.variable];
+        scalarField& field = s.field.primitiveFieldRef();
+        for (const label i : cells_)
+        {
+            field[i] = values[i];
+        }
+    }
+}
+
+
+template<class Type>
+void Foam::SPH::boundaryStates::copyPatch
+(
+    const label patchi,
+    const Field<Type>& patchField,
+    const label variable,
+    const direction cmpt
+)
+{
+    const particlePatch& patch = particles_.boundary()[patchi];
+    const labelUList from(patch.face());
+
+    SubList<scalar> values(value_[variable], patch.size(), patch.start());
+    forAll(values, k)
+    {
+        values[k] = component(patchField[from[k]], cmpt);
+    }
+}
+
+
+void Foam::SPH::boundaryStates::copyPatches(const label patchi)
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    // Of the velocity of a slip wall only what moves the wall counts: along an
+    // edge or a curved wall, velocities along it point through the next face
+    vectorField velocity(Up);
+    if (isA<basicSymmetryFvPatchField<vector>>(Up))
+    {
+        velocity = Zero;
+    }
+    else if (treatment_[particles_.boundary()[patchi].start()] == slip)
+    {
+        const vectorField n(Up.patch().nf());
+        velocity = n*(n & Up);
+    }
+
+    for (label d = 0; d < loopDims(particles_); ++d)
+    {
+        copyPatch(patchi, velocity, 1 + d, particles_.space().axis(d));
+    }
+
+    for (const scalarVariable& s : scalars_)
+    {
+        copyPatch(patchi, s.field.boundaryField()[patchi], s.variable, 0);
+    }
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::boundaryStates::correctFlux(const label patchi)
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    if (Up.fixesValue())
+    {
+        phi_.boundaryFieldRef()[patchi] == (Up.patch().Sf() & Up);
+    }
+    else
+    {
+        phi_.boundaryFieldRef()[patchi] ==
+            (Up.patch().Sf() & Up.patchInternalField());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::boundaryStates::boundaryStates
+(
+    const particleMesh& particles,
+    volVectorField& U,
+    const std::vector<scalarVariable>& scalars,
+    surfaceScalarField& phi,
+    const bool viscous
+)
+:
+    faceStates(particles, loopDims(particles) + label(scalars.size())),
+    U_(U),
+    scalars_(scalars),
+    phi_(phi)
+{
+    classify(viscous);
+
+    labelHashSet cells;
+    for (const label patchi : evaluatedPatches_)
+    {
+        cells.insert(particles.mesh().boundary()[patchi].faceCells());
+    }
+    cells_ = cells.sortedToc();
+
+    for (const particlePatch& patch : particles.boundary())
+    {
+        if (patch.size())
+        {
+            copyPatches(patch.index());
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::boundaryStates::correct
+(
+    const slicedField& W,
+    const scalar timeLeft
+)
+{
+    if (evaluatedPatches_.empty())
+    {
+        return;
+    }
+
+    // Boundary conditions ask the case for the time
+    Time& time = const_cast<Time&>(U_.time());
+    const scalar timeValue = time.value();
+    if (timeLeft > 0)
+    {
+        time.setTime(timeValue - timeLeft, time.timeIndex());
+    }
+
+    setCells(W);
+
+    for (const label patchi : evaluatedPatches_)
+    {
+        correctFlux(patchi);
+    }
+
+    for (const label patchi : evaluatedPatches_)
+    {
+        U_.boundaryFieldRef()[patchi].evaluate();
+        for (const scalarVariable& s : scalars_)
+        {
+            s.field.boundaryFieldRef()[patchi].evaluate();
+        }
+        copyPatches(patchi);
+    }
+
+    if (timeLeft > 0)
+    {
+        time.setTime(timeValue, time.timeIndex());
+    }
+}
+
+
+void Foam::SPH::boundaryStates::info(Ostream& os) const
+{
+    static const char* names[] =
+        {"open", "given velocity", "no-slip wall", "slip wall"};
+
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        if (patch.size())
+        {
+            os  << "    " << patch.name() << ": "
+                << names[treatment_[patch.start()]] << ", "
+                << patch.size()
+                << (contact(patch.start())
+                    ? " pairs with solid particles"
+                    : " boundary faces")
+                << (evaluatedPatches_.found(patch.index())
+                    ? ", evaluated at each stage"
+                    : "")
+                << nl;
+        }
+    }
+}
+
+
+// ************************************************************************* //

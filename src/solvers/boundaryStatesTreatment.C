@@ -1,0 +1,169 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "boundaryStates.H"
+#include "basicSymmetryFvPatchFields.H"
+#include "fixedNormalSlipFvPatchFields.H"
+#include "fixedValueFvPatchFields.H"
+#include "noSlipFvPatchVectorField.H"
+#include "slipFvPatchFields.H"
+#include "totalPressureFvPatchScalarField.H"
+#include "uniformTotalPressureFvPatchScalarField.H"
+#include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::SPH::boundaryStates::isGiven(const fvPatchField<Type>& patchField)
+{
+    return
+        patchField.type() == fixedValueFvPatchField<Type>::typeName
+     || patchField.type() == "quadraticFixedValue"
+     || patchField.type() == noSlipFvPatchVectorField::typeName;
+}
+
+
+template<class Type>
+bool Foam::SPH::boundaryStates::isOwn(const fvPatchField<Type>& patchField)
+{
+    return
+        patchField.type() == zeroGradientFvPatchField<Type>::typeName
+     || isA<basicSymmetryFvPatchField<Type>>(patchField);
+}
+
+
+bool Foam::SPH::boundaryStates::crosses(const fvPatchVectorField& Up)
+{
+    return
+        isGiven(Up)
+     && gMax(mag(Up & Up.patch().nf())()) > 1e-6*gMax(mag(Up)());
+}
+
+
+bool Foam::SPH::boundaryStates::givesFlux(const label patchi) const
+{
+    bool gives = isA<fixedValueFvPatchVectorField>(U_.boundaryField()[patchi]);
+
+    for (const scalarVariable& s : scalars_)
+    {
+        // Total pressure follows from the flow inside
+        const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
+        gives =
+            gives
+         && (isOwn(sp) || isA<fixedValueFvPatchScalarField>(sp))
+         && !isA<totalPressureFvPatchScalarField>(sp)
+         && !isA<uniformTotalPressureFvPatchScalarField>(sp);
+    }
+
+    return gives;
+}
+
+
+Foam::SPH::faceStates::treatment
+Foam::SPH::boundaryStates::patchTreatment
+(
+    const label patchi,
+    const bool viscous
+) const
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    if
+    (
+        isA<basicSymmetryFvPatchField<vector>>(Up)
+     || isA<fixedNormalSlipFvPatchField<vector>>(Up)
+    )
+    {
+        return slip;
+    }
+
+    // A wall patch through which a given velocity points is no wall: FVM takes
+    // its flux from that velocity
+    if
+    (
+        isA<noSlipFvPatchVectorField>(Up)
+     || (isA<wallFvPatch>(Up.patch()) && !crosses(Up))
+    )
+    {
+        return viscous ? noSlip : slip;
+    }
+
+    return givesFlux(patchi) ? given : open;
+}
+
+
+void Foam::SPH::boundaryStates::classify(const bool viscous)
+{
+    DynamicList<label> evaluated;
+
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        const label patchi = patch.index();
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const treatment type = patchTreatment(patchi, viscous);
+        const bool reflecting = reflects(type);
+
+        if (!reflecting && patch.size() && contact(patch.start()))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " has solid particles behind"
+                << " it, which boundaryTreatment contact makes a wall of, but "
+                << U_.name() << " has a boundary condition of type "
+                << Up.type() << " there: it needs that of a wall"
+                << exit(FatalError);
+        }
+
+        // Symmetry gives the gradient along the normal
+        const bool mirrored =
+            isA<basicSymmetryFvPatchField<vector>>(Up)
+         && !isA<slipFvPatchField<vector>>(Up)
+         && !(patch.size() && contact(patch.start()));
+
+        bool evaluate =
+            type != slip && !isGiven(Up) && !isOwn(Up);
+
+        for (const scalarVariable& s : scalars_)
+        {
+            const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
+            const bool own = isOwn(sp);
+            const bool fixed =
+                mirrored || (sp.fixesValue() && (!reflecting || viscous));
+
+            SubList<bool>(own_[s.variable], patch.size(), patch.start()) = own;
+            SubList<bool>(fixed_[s.variable], patch.size(), patch.start()) =
+                fixed;
+
+            evaluate = evaluate || (!own && !isGiven(sp));
+        }
+
+        const bool UFixed =
+            mirrored
+         || (type != slip && (Up.fixesValue() || type == noSlip));
+
+        for (label d = 0; d < loopDims(particles_); ++d)
+        {
+            SubList<bool>(own_[1 + d], patch.size(), patch.start()) =
+                !reflecting && isOwn(Up);
+            SubList<bool>(fixed_[1 + d], patch.size(), patch.start()) = UFixed;
+        }
+
+        SubList<treatment>(treatment_, patch.size(), patch.start()) = type;
+
+        if (evaluate && patch.size())
+        {
+            evaluated.append(patchi);
+        }
+    }
+
+    evaluatedPatches_.transfer(evaluated);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,203 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+Description
+    Steps in time.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flowSolver.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- The time that an adjusted step must not pass: the end or the next write
+    static scalar nextTarget(const Time& runTime)
+    {
+        const dictionary& controls = runTime.controlDict();
+        const word control
+        (
+            controls.getOrDefault<word>("writeControl", "timeStep")
+        );
+
+        scalar target = runTime.endTime().value();
+        if (control == "adjustableRunTime" || control == "adjustable")
+        {
+            // From the name of the time, not from sums of time steps: the
+            // same number in a run that restarted
+            const scalar interval = controls.get<scalar>("writeInterval");
+            const scalar start = runTime.startTime().value();
+            const scalar n =
+                std::floor((runTime.value() - start)/interval + 1e-6) + 1;
+
+            target = min
+            (
+                target, readScalar(Time::timeName(start + n*interval))
+            );
+        }
+        return target;
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
+{
+    return 1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+}
+
+
+void Foam::SPH::flowSolver::step
+(
+    const scalar dt,
+    const scalar timeLeft,
+    const label nHalvings
+)
+{
+    constexpr label maxHalvings = 8;
+
+    label nDropped = 0;
+    do
+    {
+        if (timeScheme_->advance(*law_, *faces_, dt, timeLeft))
+        {
+            faces_->follow(law_->W(), dt);
+            law_->resumeReconstruction();
+            return;
+        }
+        nDropped = law_->dropReconstruction();
+        nDropped_ += nDropped;
+    }
+    while (nDropped);
+
+    if (nHalvings == maxHalvings)
+    {
+        FatalErrorInFunction
+            << "The flow diverges at time " << runTime_.timeName()
+            << ": the state of a particle is not physical even with a time"
+            << " step of " << dt << " s. Lower maxCo or choose a more"
+            << " dissipative fluxScheme or limiter in "
+            << schemes_.objectPath() << exit(FatalError);
+    }
+
+    ++nHalved_;
+    step(0.5*dt, timeLeft + 0.5*dt, nHalvings + 1);
+    step(0.5*dt, timeLeft, nHalvings + 1);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::flowSolver::setDeltaT()
+{
+    const dictionary& controls = runTime_.controlDict();
+    if (!controls.getOrDefault<Switch>("adjustTimeStep", false))
+    {
+        return;
+    }
+
+    scalar dt = stableDeltaT();
+    dt = min(dt, controls.getOrDefault<scalar>("maxDeltaT", GREAT));
+
+    // The last few steps before a write time are equal ones
+    const scalar rest = nextTarget(runTime_) - runTime_.value();
+    const scalar nSteps = std::ceil(rest/dt - 1e-6);
+    if (rest > 0 && nSteps < 4)
+    {
+        dt = rest/max(nSteps, scalar(1));
+    }
+
+    runTime_.setDeltaT(dt, false);
+}
+
+
+void Foam::SPH::flowSolver::advance()
+{
+    const scalar end = runTime_.value();
+    const scalar deltaT = runTime_.deltaTValue();
+    const label index = runTime_.timeIndex();
+
+    scalar largest;
+    scalar mean;
+    law_->acousticRate(largest, mean);
+
+    // Boundary conditions see the time and the length of each step
+    label nSteps = 0;
+    scalar longest = 0;
+    for (scalar left = deltaT; left > 0; ++nSteps)
+    {
+        const scalar n = std::ceil(left/stableDeltaT() - 1e-6);
+        const scalar dt = n > 1 ? left/n : left;
+        left = n > 1 ? left - dt : 0;
+        longest = max(longest, dt);
+
+        if (dt < deltaT)
+        {
+            runTime_.setDeltaT(dt, false);
+            runTime_.setTime(end - left, --subIndex_);
+        }
+        step(dt);
+    }
+    if (nSteps > 1)
+    {
+        runTime_.setDeltaT(deltaT, false);
+        runTime_.setTime(end, index);
+    }
+
+    Info<< "Courant Number mean: " << mean*longest
+        << " max: " << largest*longest;
+    if (nSteps > 1)
+    {
+        Info<< " in " << nSteps << " steps";
+    }
+    Info<< endl;
+
+    const label nFallbacks = law_->nFallbacks();
+    if (nFallbacks || nDropped_ || nHalved_)
+    {
+        Info<< "Positivity: " << nFallbacks << " reconstructions of first"
+            << " order, " << nDropped_ << " particles of first order, "
+            << nHalved_ << " steps halved" << endl;
+        nDropped_ = 0;
+        nHalved_ = 0;
+    }
+
+    updateFields();
+}
+
+
+void Foam::SPH::flowSolver::write()
+{
+    // A restart needs every bit, whatever the case's writePrecision is
+    const unsigned precision = IOstream::defaultPrecision(17);
+    runTime_.write();
+    IOstream::defaultPrecision(precision);
+
+    const scalar done = runTime_.value() - runTime_.startTime().value();
+    const scalar rest = runTime_.endTime().value() - runTime_.value();
+
+    Info<< "ExecutionTime = " << runTime_.elapsedCpuTime() << " s"
+        << "  ClockTime = " << runTime_.elapsedClockTime() << " s";
+    if (done > 0)
+    {
+        Info<< "  left about "
+            << label
+               (
+                   runTime_.elapsedClockTime()*max(rest, scalar(0))/done + 0.5
+               )
+            << " s";
+    }
+    Info<< nl << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,138 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "unsupportedModels.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    static IOdictionary readIfPresent
+    (
+        const Time& runTime,
+        const word& name,
+        const word& folder
+    )
+    {
+        return IOdictionary
+        (
+            IOobject
+            (
+                name,
+                folder,
+                runTime,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+    }
+
+    static void refuse
+    (
+        const dictionary& dict,
+        const word& entry,
+        const word& value,
+        const wordList& choices
+    )
+    {
+        if (!choices.found(value))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << entry << " " << value << " is not supported by"
+                << " this solver. OpenFOAM's own solvers of such flow, for"
+                << " example pimpleFoam, run on the particles: start them with"
+                << " -case sph" << nl << nl << "Valid choices:" << nl
+                << choices << exit(FatalIOError);
+        }
+    }
+
+    //- Refuse all active models of a dictionary that lists them
+    static void refuseActive(const dictionary& dict, const char* what)
+    {
+        for (const entry& e : dict)
+        {
+            if (e.isDict() && e.dict().getOrDefault<Switch>("active", true))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry " << e.keyword() << ": " << what << " are not"
+                    << " supported by this solver. OpenFOAM's own solvers run"
+                    << " on the particles: start them with -case sph, or set"
+                    << " the entry's 'active' to no" << exit(FatalIOError);
+            }
+        }
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
+{
+    const word constant(runTime.constant());
+    const word system(runTime.system());
+
+    const IOdictionary turbulence
+    (
+        readIfPresent(runTime, "turbulenceProperties", constant)
+    );
+    refuse
+    (
+        turbulence,
+        "simulationType",
+        turbulence.getOrDefault<word>("simulationType", "laminar"),
+        {"laminar"}
+    );
+    const dictionary laminar(turbulence.subOrEmptyDict("laminar"));
+    for (const word entry : {"laminarModel", "model"})
+    {
+        refuse
+        (
+            laminar,
+            entry,
+            laminar.getOrDefault<word>(entry, "Stokes"),
+            {"Stokes", "laminar"}
+        );
+    }
+
+    for (const word& folder : {constant, system})
+    {
+        refuseActive
+        (
+            readIfPresent(runTime, "fvOptions", folder), "fvOptions"
+        );
+    }
+    refuseActive
+    (
+        readIfPresent(runTime, "MRFProperties", constant), "rotating frames"
+    );
+    refuseActive
+    (
+        readIfPresent(runTime, "porosityProperties", constant), "porous zones"
+    );
+
+    const IOdictionary motion
+    (
+        readIfPresent(runTime, "dynamicMeshDict", constant)
+    );
+    refuse
+    (
+        motion,
+        "dynamicFvMesh",
+        motion.getOrDefault<word>("dynamicFvMesh", "staticFvMesh"),
+        {"staticFvMesh"}
+    );
+}
+
+
+// ************************************************************************* //
