@@ -8,9 +8,28 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleScene.H"
+#include "contactFaces.H"
 #include "patchSurface.H"
 #include "Random.H"
 #include "StringStream.H"
+#include "surfaceVectorClosure.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- The papers' kernel, which has the most pairs
+    static dictionary kernelDict()
+    {
+        dictionary dict;
+        dict.add("smoothingRatio", 1.3);
+        return dict;
+    }
+}
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -24,7 +43,7 @@ Foam::SPH::particleScene::particleScene
     case_(layout)
 {
     const solutionSpace space(mesh());
-    kernel_.reset(kernel::New(dictionary(), space.nDims()).ptr());
+    kernel_.reset(kernel::New(kernelDict(), space.nDims()).ptr());
     fluid_.reset
     (
         new surfaceDistance(patchSurface(mesh(), space), kernel_->support(dp))
@@ -91,9 +110,16 @@ std::unique_ptr<Foam::SPH::particleScene> Foam::SPH::particleScene::New
     {
         layout.periodic[0] = layout.periodic[1] = true;
     }
-    else if (name == "cube")
+    else if (name == "line")
+    {
+        layout.nCells = labelVector(20, 1, 1);
+        layout.patchTypes.set("bottom", "empty");
+        layout.patchTypes.set("top", "empty");
+    }
+    else if (name == "cube" || name == "pipe")
     {
         layout.twoD = false;
+        layout.periodic[0] = name == "pipe";
         layout.nCells = labelVector(4, 5, 6);
         layout.box = boundBox(point(-1, 2, 0), point(0, 3, 1));
         dp = 0.1;
@@ -105,31 +131,55 @@ std::unique_ptr<Foam::SPH::particleScene> Foam::SPH::particleScene::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-std::unique_ptr<Foam::SPH::sphMesh> Foam::SPH::particleScene::assemble
+Foam::labelList Foam::SPH::sceneParticles::fvmFaces
 (
-    const std::string& closureText
+    const particlePatch& patch
+) const
+{
+    const label start = patch.patch().start() - mesh().nInternalFaces();
+
+    return labelList
+    (
+        SubList<label>(sph_->boundaryFace(), patch.patch().size(), start)
+    );
+}
+
+
+std::unique_ptr<Foam::SPH::sceneParticles> Foam::SPH::particleScene::assemble
+(
+    const std::string& closureText,
+    const UList<particleSet>& solids
 )
 {
     IStringStream is(closureText);
     const dictionary closureDict(is);
+    const autoPtr<closure> method(closure::New(closureDict));
 
     dictionary properties;
     properties.add("digest", word("test"));
     properties.add("closure", closureDict);
+    properties.add("kernel", kernelDict());
 
-    return std::make_unique<sphMesh>
+    const particleMeshData data
     (
-        mesh(),
-        properties,
         assembleParticleMesh
         (
-            mesh(),
-            *kernel_,
-            particles_,
-            *fluid_,
-            *closure::New(closureDict)
+            mesh(), *kernel_, particles_, *fluid_, *method
         )
     );
+    boundaryFaces contact;
+    if (method->type() == surfaceVectorClosure::typeName && solids.size())
+    {
+        contact = contactFaces
+        (
+            mesh(), solutionSpace(mesh()), *kernel_, data, solids, *fluid_
+        );
+    }
+
+    auto sph = std::make_unique<particleCase>(mesh());
+    sph->writeMesh(properties, data, solids, contact);
+
+    return std::make_unique<sceneParticles>(std::move(sph), data);
 }
 
 // ************************************************************************* //

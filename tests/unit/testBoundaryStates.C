@@ -9,7 +9,6 @@ License
 
 #include "boundaryStates.H"
 #include "particleScene.H"
-#include "Random.H"
 
 #include <gtest/gtest.h>
 
@@ -25,35 +24,13 @@ namespace
 struct closedScene
 {
     std::unique_ptr<particleScene> scene;
-    std::unique_ptr<sphMesh> particles;
+    std::unique_ptr<sceneParticles> particles;
 
     explicit closedScene(const word& name)
     :
         scene(particleScene::New(name, 0.3)),
         particles(scene->assemble("type consistent; order 0;"))
     {}
-
-    //- Call f(patch, values on its FVM faces, values on its boundary faces)
-    //- for all patches, values given by their FVM faces' centres
-    template<class Value, class Function>
-    void reconstruct(const Value& value, const Function& f) const
-    {
-        for (const sphPatch& patch : particles->boundary())
-        {
-            if (patch.size())
-            {
-                const vectorField& centres = patch.patch().Cf();
-                scalarField from(centres.size());
-                forAll(from, facei)
-                {
-                    from[facei] = value(centres[facei]);
-                }
-                scalarField to(patch.size());
-                patchReconstruction(patch, particles->space()).map(from, to);
-                f(patch, from, to);
-            }
-        }
-    }
 };
 
 
@@ -67,7 +44,7 @@ struct flowStates
 
     flowStates
     (
-        const sphMesh& particles,
+        const particleMesh& particles,
         const dictionary& UDict,
         const dictionary& pDict
     )
@@ -89,7 +66,7 @@ struct flowStates
         );
     }
 
-    static IOobject io(const word& name, const sphMesh& particles)
+    static IOobject io(const word& name, const particleMesh& particles)
     {
         const fvMesh& mesh = particles.mesh();
         return IOobject(name, mesh.time().timeName(), mesh);
@@ -118,90 +95,7 @@ struct flowStates
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * * * Values  * * * * * * * * * * * * * * * * //
-
-TEST(PatchReconstruction, LinearFunctionsAreExactOnPlanePatches)
-{
-    const auto linear = [](const point& x)
-    {
-        return 0.3 + 2*x.x() - 0.7*x.y();
-    };
-
-    for (const word name : {"box", "channel", "cube"})
-    {
-        closedScene(name).reconstruct
-        (
-            linear,
-            [&]
-            (
-                const sphPatch& patch,
-                const scalarField&,
-                const scalarField& to
-            )
-            {
-                for (label k = 0; k < patch.size(); ++k)
-                {
-                    EXPECT_NEAR(to[k], linear(patch.Cf()[k]), 1e-12)
-                        << name << ' ' << patch.name();
-                }
-            }
-        );
-    }
-}
-
-
-TEST(PatchReconstruction, TheMeanOverAnFvmFaceIsItsValue)
-{
-    for (const word name : {"hole", "cube"})
-    {
-        const closedScene scene(name);
-        Random random(7);
-
-        scene.reconstruct
-        (
-            [&](const point&) { return random.sample01<scalar>(); },
-            [&]
-            (
-                const sphPatch& patch,
-                const scalarField& from,
-                const scalarField& to
-            )
-            {
-                scalarField flow(from*patch.patch().magSf());
-                for (label k = 0; k < patch.size(); ++k)
-                {
-                    flow[patch.face()[k]] -= to[k]*mag(patch.Sf()[k]);
-                }
-                EXPECT_LT(max(mag(flow)), 1e-13*max(patch.patch().magSf()))
-                    << name << ' ' << patch.name();
-            }
-        );
-    }
-}
-
-
-TEST(PatchReconstruction, AJumpStaysBetweenTwoFaces)
-{
-    const closedScene scene("box");
-    scene.reconstruct
-    (
-        [](const point& x) { return x.x() + x.y() < 0.8 ? 116.5 : 1; },
-        [&]
-        (
-            const sphPatch& patch,
-            const scalarField& from,
-            const scalarField& to
-        )
-        {
-            for (label k = 0; k < patch.size(); ++k)
-            {
-                EXPECT_NEAR(to[k], from[patch.face()[k]], 1e-10)
-                    << patch.name();
-            }
-        }
-    );
-}
-
+// * * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * //
 
 TEST(BoundaryStates, SlipWallsAroundAnEdgeDoNotBlow)
 {
@@ -226,7 +120,7 @@ TEST(BoundaryStates, SlipWallsAroundAnEdgeDoNotBlow)
         );
 
         label nFaces = 0;
-        for (const sphPatch& patch : scene.particles->boundary())
+        for (const particlePatch& patch : scene.particles->boundary())
         {
             for
             (
@@ -297,7 +191,7 @@ TEST(BoundaryStates, ConditionsGetTheTimeOfTheStage)
         )
     );
 
-    Time& time = scene.scene->files().time();
+    Time& time = const_cast<Time&>(scene.particles->mesh().time());
     time.setTime(5, 1);
     const slicedField W(3, slicedField::slices(scene.particles->nParticles()));
 

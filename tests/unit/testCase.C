@@ -275,6 +275,20 @@ void Foam::SPH::testCase::writeMesh(const layout& l) const
 }
 
 
+void Foam::SPH::testCase::openTime()
+{
+    timePtr_.reset
+    (
+        new Time
+        (
+            Time::controlDictName,
+            path_.path(),
+            fileName(path_.name())
+        )
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::testCase::testCase()
@@ -312,17 +326,28 @@ Foam::SPH::testCase::testCase(const layout& l)
     );
     write("system/fvSolution", "solvers {}");
 
-    timePtr_.reset
-    (
-        new Time
-        (
-            Time::controlDictName,
-            path_.path(),
-            fileName(path_.name())
-        )
-    );
+    openTime();
     writeMesh(l);
+    reopen();
+}
 
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::SPH::testCase::~testCase()
+{
+    meshPtr_.clear();
+    timePtr_.clear();
+    rmDir(path_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::testCase::reopen()
+{
+    meshPtr_.clear();
+    openTime();
     meshPtr_.reset
     (
         new fvMesh
@@ -338,18 +363,6 @@ Foam::SPH::testCase::testCase(const layout& l)
     );
 }
 
-
-// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
-
-Foam::SPH::testCase::~testCase()
-{
-    meshPtr_.clear();
-    timePtr_.clear();
-    rmDir(path_);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::testCase::write
 (

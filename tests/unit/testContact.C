@@ -9,7 +9,6 @@ License
 
 #include "boundaryStates.H"
 #include "conservationLaw.H"
-#include "contactFaces.H"
 #include "givenStates.H"
 #include "particleScene.H"
 #include "Random.H"
@@ -75,34 +74,35 @@ class contactChannel
 {
     std::unique_ptr<particleScene> scene_;
 
-    std::unique_ptr<sphMesh> surfaceVectors_;
+    std::unique_ptr<sceneParticles> surfaceVectors_;
 
-    std::unique_ptr<sphMesh> pairs_;
+    autoPtr<particleMesh> pairs_;
 
 public:
 
     explicit contactChannel(const scalar jitter, const bool periodic = true)
     :
         scene_(channel(0, jitter, periodic)),
-        surfaceVectors_(scene_->assemble("type surfaceVector;"))
-    {
-        particleMeshData data(surfaceVectors_->data());
-        data.boundary =
-            contactFaces(*surfaceVectors_, wallParticles(), scene_->fluid());
-        pairs_ = std::make_unique<sphMesh>
+        surfaceVectors_
         (
-            scene_->mesh(), dictionary(), std::move(data)
+            scene_->assemble("type surfaceVector;", wallParticles())
+        )
+    {
+        scene_->files().write
+        (
+            "sph/system/sphSchemes", "boundaryTreatment contact;"
         );
+        pairs_ = treatedParticleMesh(surfaceVectors_->mesh());
     }
 
-    const sphMesh& operator()() const
+    const particleMesh& operator()() const
     {
         return *pairs_;
     }
 };
 
 
-vectorField areaSums(const sphMesh& particles)
+vectorField areaSums(const particleMesh& particles)
 {
     vectorField sum(particles.nParticles(), Zero);
     forAll(particles.owner(), pairi)
@@ -150,7 +150,7 @@ List<scalarField> afterStep
 }
 
 
-List<scalarField> uniform(const sphMesh& particles, const scalarList& state)
+List<scalarField> uniform(const particleMesh& particles, const scalarList& state)
 {
     List<scalarField> W(state.size());
     forAll(W, v)
@@ -258,7 +258,7 @@ void checkMirror
     );
 
     const std::unique_ptr<particleScene> wide(channel(4*dp));
-    const std::unique_ptr<sphMesh> all(wide->assemble("type surfaceVector;"));
+    const auto all = wide->assemble("type surfaceVector;");
     List<scalarField> W(uniform(*all, state));
     forAll(all->C(), i)
     {
@@ -314,13 +314,13 @@ void checkMirror
 std::string treatmentError(const word& treatment, const std::string& closure)
 {
     const std::unique_ptr<particleScene> scene(channel());
-    scene->assemble(closure)->writeMesh();
+    const auto particles = scene->assemble(closure);
     scene->files().write
     (
-        "system/sphSchemes",
+        "sph/system/sphSchemes",
         "boundaryTreatment " + treatment + ";"
     );
-    return errorMessage([&] { treatedParticleMesh(scene->mesh()); });
+    return errorMessage([&] { treatedParticleMesh(particles->mesh()); });
 }
 
 } // End anonymous namespace
@@ -342,7 +342,7 @@ TEST(Contact, HasTheAreaOfTheWall)
 
     for (const word& name : {word("bottom"), word("top")})
     {
-        const sphPatch& patch = particles().boundary()
+        const particlePatch& patch = particles().boundary()
         [
             particles().mesh().boundaryMesh().findPatchID(name)
         ];
@@ -367,7 +367,7 @@ TEST(Contact, LeavesOtherPatchesTheirSurfaceVectors)
 
     for (const word& name : {word("left"), word("right")})
     {
-        const sphPatch& patch = particles().boundary()
+        const particlePatch& patch = particles().boundary()
         [
             particles().mesh().boundaryMesh().findPatchID(name)
         ];
@@ -464,22 +464,19 @@ TEST(Contact, MirrorsTheStateOfTheFluid)
 
 TEST(Contact, SaysWhatItNeeds)
 {
-    EXPECT_NE
-    (
-        treatmentError("contact", "type surfaceVector;").find
+    for (const char* closure : {"type surfaceVector;", "type consistent;"})
+    {
+        const std::string message(treatmentError("contact", closure));
+        EXPECT_NE
         (
-            "particles of solid bodies, and there are none"
-        ),
-        std::string::npos
-    );
-    EXPECT_NE
-    (
-        treatmentError("contact", "type consistent;").find
+            message.find("needs particles of solid bodies"), std::string::npos
+        )   << message;
+        EXPECT_NE
         (
-            "set 'closure {type surfaceVector;}'"
-        ),
-        std::string::npos
-    );
+            message.find("set 'closure {type surfaceVector;}'"),
+            std::string::npos
+        )   << message;
+    }
     EXPECT_NE
     (
         treatmentError("mirror", "type surfaceVector;").find

@@ -165,9 +165,9 @@ testCase& square()
 }
 
 
-const sphMesh& particles()
+const particleMesh& particles()
 {
-    static const sphMesh mesh
+    static const particleMesh mesh
     (
         square().mesh(), dictionary(), irregularSquares()
     );

@@ -276,13 +276,13 @@ TEST(Kernel, latticeMomentOfWendlandIsTheSumOverTheLattice)
 }
 
 
-TEST(Kernel, defaultsAreWendlandC2AndOnePointThree)
+TEST(Kernel, defaultsAreWendlandC2AndPointNine)
 {
     const autoPtr<kernel> W(kernel::New(dictionary(), 2));
 
     EXPECT_EQ(W->type(), "WendlandC2");
-    EXPECT_EQ(W->smoothingRatio(), 1.3);
-    EXPECT_NEAR(W->support(0.1), 0.26, 1e-15);
+    EXPECT_EQ(W->smoothingRatio(), 0.9);
+    EXPECT_NEAR(W->support(0.1), 0.18, 1e-15);
 }
 
 

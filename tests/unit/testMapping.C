@@ -7,19 +7,16 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "testCase.H"
+#include "particleScene.H"
 #include "DynamicList.H"
-#include "IOField.H"
 #include "meshToParticles.H"
 #include "movingLeastSquares.H"
 #include "OSspecific.H"
 #include "particlesToMesh.H"
 #include "pointTree.H"
 #include "Random.H"
-#include "storedFields.H"
 
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -119,32 +116,21 @@ scalarField mapped
 }
 
 
-//- Particles on a jittered lattice in the box of a case's mesh
-std::unique_ptr<sphMesh> particleLattice(const fvMesh& mesh, const label n)
+//- A jittered lattice in the box of a case's mesh
+pointField latticeIn(const fvMesh& mesh, const label n)
 {
     const solutionSpace space(mesh);
     const vector span(mesh.bounds().span());
 
-    particleMeshData data;
-    data.points = lattice(space.nDims(), n, 0.4);
-    for (point& p : data.points)
+    pointField points(lattice(space.nDims(), n, 0.4));
+    for (point& p : points)
     {
         p = space.position
         (
             space.toLocal(mesh.bounds().min() + cmptMultiply(p, span))
         );
     }
-
-    const label nParticles = data.points.size();
-    data.V = scalarField(nParticles, gSum(mesh.V())/nParticles);
-    data.spacing =
-        scalarField(nParticles, space.spacing(data.V[0]));
-    data.boundary.start = labelList(mesh.boundary().size() + 1, 0);
-
-    return std::unique_ptr<sphMesh>
-    (
-        new sphMesh(mesh, dictionary(), std::move(data))
-    );
+    return points;
 }
 
 
@@ -161,13 +147,14 @@ volScalarField cellField(const fvMesh& mesh, const scalar value)
 }
 
 
-std::string content(const fileName& file)
+//- One whose patches take what they are given
+volScalarField calculatedField(const fvMesh& mesh)
 {
-    std::ifstream is(file);
-    return std::string
+    return volScalarField
     (
-        std::istreambuf_iterator<char>(is),
-        std::istreambuf_iterator<char>()
+        IOobject("f", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless, Zero)
     );
 }
 
@@ -440,60 +427,15 @@ TEST(PointTree, findsWhatABruteForceSearchFinds)
 }
 
 
-TEST(ParticlesToMesh, mapsCellsAndPatchFacesOfAMeshExactly)
-{
-    testCase::layout layout;
-    layout.nCells = labelVector(20, 7, 1);
-    layout.box = boundBox(point(-1, 2, 0), point(1, 3, 0.1));
-    testCase box(layout);
-    const fvMesh& mesh = box.mesh();
-
-    const auto particles = particleLattice(mesh, 15);
-    const particlesToMesh mapper(*particles);
-
-    // The particles are on the mid-plane
-    const auto f = [](const point& p)
-    {
-        return linear(point(p.x(), p.y(), 0));
-    };
-    const scalarField particleValues(values(particles->C(), f));
-
-    volScalarField result(cellField(mesh, 0));
-    mapper.map(particleValues, result);
-
-    EXPECT_LT
-    (
-        max(mag(result.primitiveField() - values(mesh.cellCentres(), f))),
-        1e-7
-    );
-
-    const label left = mesh.boundaryMesh().findPatchID("left");
-    EXPECT_EQ
-    (
-        scalarField(result.boundaryField()[left]),
-        scalarField(result.boundaryField()[left].patchInternalField())
-    );
-    EXPECT_LT
-    (
-        max
-        (
-            mag
-            (
-                mapper.mapToPatch(particleValues, left)
-              - values(mesh.boundary()[left].Cf(), f)
-            )
-        ),
-        1e-7
-    );
-}
-
-
 TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
 {
     testCase box(testCase::layout{});
     const fvMesh& mesh = box.mesh();
-    const auto particles = particleLattice(mesh, 13);
-    const meshToParticles mapper(*particles);
+    const pointField points(latticeIn(mesh, 13));
+    const meshToParticles mapper
+    (
+        mesh, points, scalarField(points.size(), 1.0/13)
+    );
 
     const scalar value = 1.0/3.0;
     const scalarField uniform(mapper.map(cellField(mesh, value)));
@@ -506,73 +448,156 @@ TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
     cells.primitiveFieldRef() = values(mesh.cellCentres(), linear);
     EXPECT_LT
     (
-        max(mag(mapper.map(cells, false) - values(particles->C(), linear))),
+        max(mag(mapper.map(cells, false) - values(points, linear))),
         1e-8
     );
 }
 
 
-TEST(StoredFields, areMappedWithTheBoundaryConditionsOfTheCase)
+TEST(ParticlesToMesh, linearFieldsAreExactInCells)
 {
-    testCase box(testCase::layout{});
-    const fvMesh& mesh = box.mesh();
-    const auto particles = particleLattice(mesh, 10);
-    const particlesToMesh mapper(*particles);
-    const storedFields fields(*particles, mapper);
+    for (const char* name : {"box", "hole", "cube"})
+    {
+        const auto scene = particleScene::New(name, 0.3);
+        scene->assemble("order 1;");
+        const particleResults particles(scene->files().time());
+        const particlesToMesh mapper(scene->mesh(), particles);
 
-    const std::string fvm
+        volScalarField field(cellField(particles.mesh(), 0));
+        field.primitiveFieldRef() =
+            values(particles.mesh().cellCentres(), linear);
+        const volScalarField result(mapper.map(field));
+
+        EXPECT_EQ(result.name(), "f.sph");
+        EXPECT_LT
+        (
+            max
+            (
+                mag
+                (
+                    result.primitiveField()
+                  - values(scene->mesh().cellCentres(), linear)
+                )
+            ),
+            1e-7
+        )   << name;
+    }
+}
+
+
+TEST(ParticlesToMesh, patchFacesGetTheMeanOfTheirParts)
+{
+    for (const char* name : {"box", "hole", "cube"})
+    {
+        const auto scene = particleScene::New(name, 0.3);
+        scene->assemble("order 1;");
+        const particleResults particles(scene->files().time());
+        const particlesToMesh mapper(scene->mesh(), particles);
+
+        // A value on all parts of a face is that of the face
+        volScalarField field(calculatedField(particles.mesh()));
+        for (auto& values : field.boundaryFieldRef())
+        {
+            const label start =
+                values.patch().start() - particles.mesh().nInternalFaces();
+            scalarField given(values.size());
+            forAll(given, k)
+            {
+                given[k] = 7 + particles.boundaryFace()[start + k];
+            }
+            values == given;
+        }
+        const volScalarField faces(mapper.map(field));
+        for (const auto& values : faces.boundaryField())
+        {
+            forAll(values, facei)
+            {
+                EXPECT_NEAR(values[facei], 7 + facei, 1e-10)
+                    << name << ' ' << values.patch().name();
+            }
+        }
+
+        // Random values keep their integral over the patch
+        Random random(3);
+        for (auto& values : field.boundaryFieldRef())
+        {
+            scalarField given(values.size());
+            for (scalar& v : given)
+            {
+                v = random.sample01<scalar>();
+            }
+            values == given;
+        }
+        const volScalarField means(mapper.map(field));
+        for (const auto& values : means.boundaryField())
+        {
+            const auto& from = field.boundaryField()[values.patch().index()];
+            if (values.size())
+            {
+                const scalar given = sum(from.patch().magSf()*from);
+                EXPECT_NEAR
+                (
+                    sum(values.patch().magSf()*values), given, 1e-10*given
+                )   << name << ' ' << values.patch().name();
+            }
+        }
+    }
+}
+
+
+TEST(ParticleResults, ReadsFieldsWithoutTheirBoundaryConditions)
+{
+    const auto scene = particleScene::New("box", 0.3);
+    scene->assemble("order 1;");
+    testCase& box = scene->files();
+
+    box.write
     (
+        "sph/0.5/p",
         "dimensions [0 2 -2 0 0 0 0]; internalField uniform 7;"
         " boundaryField { left { type fixedValue; value uniform 3; }"
-        " right { type inletOutlet; inletValue uniform 5; value uniform 5; }"
-        " bottom { type zeroGradient; } top { type zeroGradient; }"
-        " frontAndBack { type empty; } }"
+        " right { type neverHeardOf; value uniform 5; }"
+        " bottom { type zeroGradient; }"
+        " top { type uniformFixedValue; uniformValue constant 4; }"
+        " frontAndBack { type empty; } }",
+        "volScalarField"
     );
-    box.write("0/p", fvm, "volScalarField");
-    const std::string before(content(box.path()/"0/p"));
+    box.write("sph/0.5/phi", "", "surfaceScalarField");
+    box.write("sph/0.5/cloud", "", "IOField<scalar>");
 
-    const scalarField x(particles->C().component(0));
-    const auto store = [&](const word& name, const scalarField& field)
+    const particleResults particles(box.time());
+    const instant time(0.5, "0.50");
+    EXPECT_EQ(particles.timeName(time), "0.5");
+    EXPECT_EQ(particles.timeName(instant(0.7, "0.7")), "");
+    EXPECT_EQ(particles.fields(instant(0.7, "0.7")).size(), 0);
+
+    const IOobjectList fields(particles.fields(time));
+    EXPECT_EQ(fields.sortedNames(), wordList({"p"}));
+
+    const volScalarField p(particles.read<scalar>(*fields["p"]));
+    EXPECT_EQ(p.dimensions(), dimPressure/dimDensity);
+    EXPECT_EQ(p.primitiveField(), scalarField(p.size(), 7));
+
+    const scalar expected[] = {3, 5, 7, 4};
+    for (label patchi = 0; patchi < 4; ++patchi)
     {
-        IOField<scalar>
+        const auto& values = p.boundaryField()[patchi];
+        EXPECT_EQ(values.type(), "calculated");
+        EXPECT_GT(values.size(), 10);
+        EXPECT_EQ
         (
-            IOobject(name, "0", storedFields::folder(), mesh), field
-        ).write();
-    };
-    store("p", 2*x);
-    store("unknown", x);
-
-    EXPECT_EQ(fields.map(wordRes()), 1);
-    EXPECT_EQ(content(box.path()/"0/p"), before);
-
-    const volScalarField result
-    (
-        IOobject("p.sph", "0", mesh, IOobject::MUST_READ), mesh
-    );
-    EXPECT_EQ(result.dimensions(), dimPressure/dimDensity);
-    EXPECT_EQ(result.boundaryField()[0].type(), "fixedValue");
-    EXPECT_EQ(result.boundaryField()[1].type(), "inletOutlet");
-
-    // ASCII with six digits
-    const scalar tolerance = 1e-5;
-    forAll(result, celli)
-    {
-        EXPECT_NEAR(result[celli], 2*mesh.C()[celli].x(), tolerance);
-    }
-    for (const scalar v : result.boundaryField()[0])
-    {
-        EXPECT_EQ(v, 3);
-    }
-    for (const scalar v : result.boundaryField()[1])
-    {
-        EXPECT_NEAR(v, 2, tolerance);
+            scalarField(values), scalarField(values.size(), expected[patchi])
+        );
     }
 
-    store("p", scalarField(3, Zero));
-    const std::string message(errorMessage([&] { fields.map(wordRes()); }));
-    EXPECT_NE(message.find("lagrangian/sph/p"), std::string::npos) << message;
-    EXPECT_NE(message.find("3 values"), std::string::npos) << message;
-    EXPECT_NE(message.find("100 particles"), std::string::npos) << message;
+    // On the cells, at the same time of the FVM case
+    box.time().setTime(0.5, 5);
+    const particlesToMesh mapper(scene->mesh(), particles);
+    EXPECT_EQ(mapper.write(wordRes({wordRe("q")})), 0);
+    EXPECT_EQ(mapper.write(wordRes()), 1);
+    EXPECT_EQ(mapper.write(wordRes(), true), 0);
+    EXPECT_TRUE(isFile(box.path()/"0.5"/"p.sph"));
+    EXPECT_FALSE(isFile(box.path()/"0.5"/"p"));
 }
 
 // ************************************************************************* //

@@ -54,7 +54,10 @@ TEST(MeshQuality, periodicLatticeIsPerfect)
 {
     const auto scene = particleScene::New("periodic", 0);
     const auto m = scene->assemble("order 1;");
-    const meshQuality quality(*m, List<particleSet>(), scene->fluid());
+    const meshQuality quality
+    (
+        scene->mesh(), *m, List<particleSet>(), scene->fluid()
+    );
 
     EXPECT_NEAR(quality.value("kernelGradientSumMax", "fluid"), 0, 1e-12);
     EXPECT_NEAR(quality.value("volume", "fluid"), 0, 1e-13);
@@ -82,7 +85,10 @@ TEST(MeshQuality, missingParticleIsAVoid)
     particles.spacing.setSize(particles.points.size());
 
     const auto m = scene->assemble("type none;");
-    const meshQuality quality(*m, List<particleSet>(), scene->fluid());
+    const meshQuality quality
+    (
+        scene->mesh(), *m, List<particleSet>(), scene->fluid()
+    );
 
     EXPECT_NEAR(quality.value("spacingVoid", "fluid"), 1, 1e-12);
     EXPECT_GT(quality.value("kernelGradientSumMax", "fluid"), 0.1);
@@ -102,7 +108,10 @@ TEST(MeshQuality, movedParticleIsTooClose)
     p.x() += 0.7*0.05;
 
     const auto m = scene->assemble("order 0;");
-    const meshQuality quality(*m, List<particleSet>(), scene->fluid());
+    const meshQuality quality
+    (
+        scene->mesh(), *m, List<particleSet>(), scene->fluid()
+    );
 
     EXPECT_NEAR(quality.value("spacingMin", "fluid"), 0.3, 1e-10);
     EXPECT_NEAR(quality.value("offSurfaceMax", "boundary"), 0, 1e-12);
@@ -117,8 +126,14 @@ TEST(MeshQuality, solidsCompleteTheKernelAtTheInterface)
     // A lattice that goes on in the hole
     const auto scene = particleScene::New("hole", 0);
     const auto m = scene->assemble("order 1;");
-    const meshQuality with(*m, filledHole(), scene->fluid());
-    const meshQuality without(*m, List<particleSet>(), scene->fluid());
+    const meshQuality with
+    (
+        scene->mesh(), *m, filledHole(), scene->fluid()
+    );
+    const meshQuality without
+    (
+        scene->mesh(), *m, List<particleSet>(), scene->fluid()
+    );
 
     EXPECT_NEAR(with.value("kernelGradientSumMax", "interface"), 0, 1e-12);
     EXPECT_NEAR(with.value("spacingMin", "interface"), 1, 1e-12);
@@ -146,7 +161,10 @@ TEST(MeshQuality, isWrittenAsCommaSeparatedValues)
 {
     const auto scene = particleScene::New("box", 0.2);
     const auto m = scene->assemble("order 1;");
-    const meshQuality quality(*m, List<particleSet>(), scene->fluid());
+    const meshQuality quality
+    (
+        scene->mesh(), *m, List<particleSet>(), scene->fluid()
+    );
 
     const fileName file(scene->files().path()/"postProcessing"/"quality.csv");
     quality.write(file);

@@ -318,7 +318,8 @@ TEST(Relaxation, irregularPeriodicBoxComesToRest)
         mesh,
         sphMeshDict
         (
-            "spacing 0.05; lattice { type square; jitter 0.3; seed 3; }"
+            "spacing 0.05; kernel { smoothingRatio 1.3; }"
+            "lattice { type square; jitter 0.3; seed 3; }"
         )
     );
     generator.generate();
@@ -349,6 +350,7 @@ TEST(Relaxation, variableSpacingIsAchieved)
         (
             "spacing { type refined; base 0.3;"
             "near { hole { spacing 0.08; growth 1.08; } } }"
+            "kernel { smoothingRatio 1.3; }"
         )
     );
     generator.generate();

@@ -216,10 +216,10 @@ TEST(FieldNorms, areWrittenAsFixedColumns)
     EXPECT_EQ
     (
         content(file),
-        "field,component,norm,absolute,relative,reference_range\n"
-        "p,value,L1,0.5,0.25,2\n"
-        "p,value,L2,0.70710678,0.35355339,2\n"
-        "p,value,Linf,1,0.5,2\n"
+        "field,component,norm,absolute,relative,reference_range,relative_l2\n"
+        "p,value,L1,0.5,0.25,2,0.35355339\n"
+        "p,value,L2,0.70710678,0.35355339,2,0.5\n"
+        "p,value,Linf,1,0.5,2,0.70710678\n"
     );
 }
 
@@ -582,7 +582,7 @@ TEST(ComparisonPictures, showEveryFieldAndNameAPlaneOutsideTheMesh)
         const comparisonControls controls(dictionaryOf(views));
         return errorMessage
         (
-            [&] { comparisonPictures(box.mesh(), space, controls); }
+            [&] { comparisonPictures(box.mesh(), space, controls, nullptr); }
         );
     };
     EXPECT_EQ(message("views { all {} }"), "");
@@ -601,7 +601,7 @@ TEST(ComparisonPictures, showEveryFieldAndNameAPlaneOutsideTheMesh)
     }
 
     const comparisonControls controls(dictionaryOf(""));
-    const comparisonPictures pictures(box.mesh(), space, controls);
+    const comparisonPictures pictures(box.mesh(), space, controls, nullptr);
     const referenceCase reference(box.mesh());
     const fieldComparison comparison
     (

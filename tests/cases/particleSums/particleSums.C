@@ -9,12 +9,12 @@ Application
     particleSums
 
 Description
-    Prints, for the latest time of a case, the sums of volume, density and
-    momentum of the particles and the largest deviation of their velocity
-    from a given one.
+    Prints, for the latest time of a particle case, the sums of volume, pressure,
+    momentum and, of a compressible flow, density and energy over the
+    particles, and the largest deviation of their velocity from a given one.
 
 Usage
-    \b particleSums [OPTION]
+    \b particleSums -case sph [OPTION]
 
       - \par -velocity \<vector\>
         Velocity to compare with, default (0 0 0)
@@ -22,9 +22,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "scalarIOField.H"
-#include "vectorIOField.H"
-#include "sphMesh.H"
+#include "particleMesh.H"
 
 using namespace Foam;
 
@@ -42,42 +40,44 @@ int main(int argc, char *argv[])
     const instantList times(runTime.times());
     runTime.setTime(times.last(), times.size() - 1);
 
-    const SPH::sphMesh particles(mesh);
+    const SPH::particleMesh particles(mesh);
     const auto io = [&](const word& name)
     {
         return IOobject
         (
             name,
             runTime.timeName(),
-            "lagrangian/sph",
             mesh,
             IOobject::MUST_READ
         );
     };
-    const scalarIOField rho(io("rho"));
-    const vectorIOField rhoU(io("rhoU"));
-    const vectorIOField U(io("U"));
-    IOobject energyIO(io("rhoE"));
-    energyIO.readOpt() = IOobject::READ_IF_PRESENT;
-    const scalarIOField rhoE
-    (
-        energyIO,
-        scalarField(particles.V().size(), Zero)
-    );
+    const volVectorField rhoU(io("rhoU"), mesh);
+    const volVectorField U(io("U"), mesh);
+
+    // The integral of a scalar field
+    const auto total = [&](const word& name)
+    {
+        const volScalarField field(io(name), mesh);
+        return sum(particles.V()*field.primitiveField());
+    };
 
     OSstream& os = Info;
     os.precision(17);
-    const vector momentum(sum(particles.V()*rhoU));
+    const vector momentum(sum(particles.V()*rhoU.primitiveField()));
     const vector velocity(args.getOrDefault<vector>("velocity", Zero));
 
     Info<< "time " << runTime.value() << nl
         << "volume " << sum(particles.V()) << nl
-        << "mass " << sum(particles.V()*rho) << nl
+        << "pressure " << total("p") << nl
         << "momentumX " << momentum.x() << nl
         << "momentumY " << momentum.y() << nl
-        << "energy " << sum(particles.V()*rhoE) << nl
-        << "deviation " << max(mag(U - velocity)) << nl
-        << "End\n" << endl;
+        << "deviation " << max(mag(U.primitiveField() - velocity)) << nl;
+    if (io("rhoE").typeHeaderOk<volScalarField>(true))
+    {
+        Info<< "mass " << total("rho") << nl
+            << "energy " << total("rhoE") << nl;
+    }
+    Info<< "End\n" << endl;
 
     return 0;
 }

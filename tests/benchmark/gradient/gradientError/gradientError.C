@@ -19,7 +19,7 @@ Description
 #include "fvCFD.H"
 #include "faceStates.H"
 #include "gradientWeights.H"
-#include "sphMesh.H"
+#include "particleMesh.H"
 
 using namespace Foam;
 using namespace Foam::SPH;
@@ -33,7 +33,7 @@ class fieldStates
 {
 public:
 
-    fieldStates(const SPH::sphMesh& particles, const bool given)
+    fieldStates(const SPH::particleMesh& particles, const bool given)
     :
         faceStates(particles, 1)
     {
@@ -74,7 +74,7 @@ static const testField fields[] =
 
 static vectorField gradients
 (
-    const SPH::sphMesh& particles,
+    const SPH::particleMesh& particles,
     const testField& field,
     const bool given
 )
@@ -131,7 +131,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    const SPH::sphMesh particles(mesh);
+    const SPH::particleMesh particles(mesh);
     boolList atBoundary(particles.nParticles(), false);
     for (const label i : particles.boundary().faces().owner)
     {

@@ -9,9 +9,9 @@ Application
     isentropicVortexError
 
 Description
-    Error of the stored particle densities of an isentropic vortex at the
-    latest time against the exact solution, and the change of the total mass,
-    momentum and energy since the first time that has particle fields, over
+    Error of the densities of an isentropic vortex in a particle case, at the
+    latest time, against the exact solution, and the change of the total mass,
+    momentum and energy since the first time that has a density, over
     the total of the magnitude.
 
     The vortex of strength 5 starts in (5 5) of a periodic square of side 10,
@@ -22,9 +22,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "scalarIOField.H"
-#include "vectorIOField.H"
-#include "sphMesh.H"
+#include "particleMesh.H"
 
 using namespace Foam;
 
@@ -37,32 +35,32 @@ static scalar periodicDistance(const scalar x, const scalar c)
 }
 
 
-//- A stored particle field of the current time
+//- A particle field of the current time
 template<class Type>
-static IOField<Type> readParticles(const fvMesh& mesh, const word& name)
+static Field<Type> readParticles(const fvMesh& mesh, const word& name)
 {
-    return IOField<Type>
+    return GeometricField<Type, fvPatchField, volMesh>
     (
         IOobject
         (
             name,
             mesh.time().timeName(),
-            "lagrangian/sph",
             mesh,
             IOobject::MUST_READ
-        )
-    );
+        ),
+        mesh
+    ).primitiveField();
 }
 
 
 //- Total mass, momentum and energy, then those of their magnitudes
-static FixedList<scalar, 8> totals(const SPH::sphMesh& particles)
+static FixedList<scalar, 8> totals(const SPH::particleMesh& particles)
 {
     const fvMesh& mesh = particles.mesh();
     const scalarField& V = particles.V();
-    const IOField<scalar> rho(readParticles<scalar>(mesh, "rho"));
-    const IOField<vector> rhoU(readParticles<vector>(mesh, "rhoU"));
-    const IOField<scalar> rhoE(readParticles<scalar>(mesh, "rhoE"));
+    const scalarField rho(readParticles<scalar>(mesh, "rho"));
+    const vectorField rhoU(readParticles<vector>(mesh, "rhoU"));
+    const scalarField rhoE(readParticles<scalar>(mesh, "rhoE"));
 
     FixedList<scalar, 8> t(Zero);
     forAll(V, i)
@@ -91,12 +89,12 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    const SPH::sphMesh particles(mesh);
+    const SPH::particleMesh particles(mesh);
     const instantList times(runTime.times());
 
     const auto stored = [&](const instant& t)
     {
-        return isFile(runTime.path()/t.name()/"lagrangian/sph/rho");
+        return isFile(runTime.path()/t.name()/"rho");
     };
     label first = 0;
     while (first < times.size() - 1 && !stored(times[first]))
@@ -115,7 +113,7 @@ int main(int argc, char *argv[])
         change = max(change, mag(after[k] - before[k])/before[4 + k]);
     }
 
-    const IOField<scalar> rho(readParticles<scalar>(mesh, "rho"));
+    const scalarField rho(readParticles<scalar>(mesh, "rho"));
     const scalar gamma = 1.4;
     const scalar centre = 5 + runTime.value();
 

@@ -9,7 +9,7 @@ Application
     taylorGreenError
 
 Description
-    Error of stored particle velocities of the Taylor-Green vortex in the
+    Error of the velocities of the Taylor-Green vortex in a particle case of the
     periodic unit square against a spectral solution of the same equations.
 
     The weakly compressible equations with p = c^2 (rho - 1),
@@ -22,7 +22,7 @@ Description
     points changes the velocity by less than 1e-9.
 
 Usage
-    \b taylorGreenError [OPTION]
+    \b taylorGreenError -case sph [OPTION]
 
       - \par -soundSpeed \<c\>
         Sound speed over the initial maximum velocity, default 10
@@ -35,8 +35,7 @@ Usage
 #include <Eigen/Dense>
 
 #include "fvCFD.H"
-#include "vectorIOField.H"
-#include "sphMesh.H"
+#include "particleMesh.H"
 
 using namespace Foam;
 
@@ -155,17 +154,17 @@ int main(int argc, char *argv[])
     const instantList times(runTime.times());
     runTime.setTime(times.last(), times.size() - 1);
 
-    const SPH::sphMesh particles(mesh);
-    const vectorIOField U
+    const SPH::particleMesh particles(mesh);
+    const volVectorField U
     (
         IOobject
         (
             "U",
             runTime.timeName(),
-            "lagrangian/sph",
             mesh,
             IOobject::MUST_READ
-        )
+        ),
+        mesh
     );
 
     const IOdictionary transport

@@ -34,6 +34,7 @@ Usage
 #include "argList.H"
 #include "fvMesh.H"
 #include "largestVoid.H"
+#include "particleCase.H"
 #include "particleGenerator.H"
 #include "particleMeshAssembly.H"
 #include "particleMeshProperties.H"
@@ -61,23 +62,24 @@ using namespace Foam::SPH;
 //  \param widest largest radius of a void over dp
 static std::string findFaults
 (
-    const SPH::sphMesh& particles,
+    const fvMesh& mesh,
+    const particleMeshData& particles,
     const signedDistance& fluid,
     scalar& closest,
     scalar& widest
 )
 {
-    const solutionSpace& space = particles.space();
-    const label n = particles.nParticles();
-    const scalarField& dp = particles.spacing();
+    const solutionSpace space(mesh);
+    const label n = particles.points.size();
+    const scalarField& dp = particles.spacing;
     OStringStream faults;
 
     vectorField x(n);
     label nOutside = 0;
     forAll(x, i)
     {
-        x[i] = space.toLocal(particles.C()[i]);
-        nOutside += fluid.distance(particles.C()[i]) > 0;
+        x[i] = space.toLocal(particles.points[i]);
+        nOutside += fluid.distance(particles.points[i]) > 0;
     }
     if (nOutside)
     {
@@ -118,17 +120,14 @@ static std::string findFaults
 
     // Area sum of each particle over V^((d-1)/d)
     vectorField sum(n, Zero);
-    forAll(particles.Sf(), pairi)
+    forAll(particles.Sf, pairi)
     {
-        sum[particles.owner()[pairi]] += particles.Sf()[pairi];
-        sum[particles.neighbour()[pairi]] -= particles.Sf()[pairi];
+        sum[particles.owner[pairi]] += particles.Sf[pairi];
+        sum[particles.neighbour[pairi]] -= particles.Sf[pairi];
     }
-    for (const sphPatch& patch : particles.boundary())
+    forAll(particles.boundary.Sf, facei)
     {
-        forAll(patch.Sf(), facei)
-        {
-            sum[patch.owner()[facei]] += patch.Sf()[facei];
-        }
+        sum[particles.boundary.owner[facei]] += particles.boundary.Sf[facei];
     }
     scalar residual = 0;
     forAll(sum, i)
@@ -146,7 +145,7 @@ static std::string findFaults
     }
 
     const scalar volume =
-        mag(Foam::sum(particles.V())/gSum(particles.mesh().V()) - 1);
+        mag(Foam::sum(particles.V)/gSum(mesh.V()) - 1);
     if (!(volume < 1e-12))
     {
         faults << " volume: " << volume;
@@ -229,10 +228,8 @@ static void run
         generator.generate();
 
         const autoPtr<closure> method(closure::New(dictionary()));
-        const SPH::sphMesh particles
+        const particleMeshData particles
         (
-            mesh,
-            particleMeshProperties(mesh, dict),
             assembleParticleMesh
             (
                 mesh,
@@ -244,13 +241,19 @@ static void run
         );
         if (write)
         {
-            particles.writeMesh(generator.solids());
+            particleCase(mesh).writeMesh
+            (
+                particleMeshProperties(mesh, dict),
+                particles,
+                generator.solids(),
+                boundaryFaces()
+            );
         }
 
-        nParticles = particles.nParticles();
+        nParticles = particles.points.size();
         faults = findFaults
         (
-            particles, generator.fluidDistance(), closest, widest
+            mesh, particles, generator.fluidDistance(), closest, widest
         );
     }
     catch (const Foam::error& e)

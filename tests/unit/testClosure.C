@@ -29,7 +29,7 @@ namespace
 {
 
 //- Area of a face between particles of the mesh's spacing
-scalar faceArea(const sphMesh& m)
+scalar faceArea(const particleMesh& m)
 {
     return m.space().volume(m.spacing()[0])/m.spacing()[0];
 }
@@ -41,7 +41,7 @@ scalar faceArea(const sphMesh& m)
 //  centre relative to its own particle
 vectorField gradient
 (
-    const sphMesh& m,
+    const particleMesh& m,
     const std::function<scalar(const point&)>& f
 )
 {
@@ -56,7 +56,7 @@ vectorField gradient
         sum[i] += m.Sf()[k]*f(m.C()[i] + 0.5*m.delta()[k] + skew);
         sum[j] -= m.Sf()[k]*f(m.C()[j] - 0.5*m.delta()[k] + skew);
     }
-    for (const sphPatch& patch : m.boundary())
+    for (const particlePatch& patch : m.boundary())
     {
         for (label s = 0; s < patch.size(); ++s)
         {
@@ -70,22 +70,24 @@ vectorField gradient
 
 //- Largest deviation of the sums over boundary faces of each FVM face from
 //- its area vector, over the largest area
-scalar mirrorError(const sphMesh& m)
+scalar mirrorError(const fvMesh& mesh, const sceneParticles& m)
 {
     scalar error = 0;
-    for (const sphPatch& patch : m.boundary())
+    for (const fvPatch& fvmPatch : mesh.boundary())
     {
-        const polyPatch& pp = patch.patch().patch();
-        if (pp.empty() || pp.coupled() || patch.patch().size() == 0)
+        const particlePatch& patch = m.boundary()[fvmPatch.index()];
+        const polyPatch& pp = fvmPatch.patch();
+        if (pp.coupled() || fvmPatch.size() == 0)
         {
             EXPECT_EQ(patch.size(), 0) << patch.name();
             continue;
         }
 
+        const labelList face(m.fvmFaces(patch));
         vectorField sum(pp.size(), Zero);
         for (label s = 0; s < patch.size(); ++s)
         {
-            sum[patch.face()[s]] += patch.Sf()[s];
+            sum[face[s]] += patch.Sf()[s];
         }
         const vectorField Sf(pp.faceAreas());
         error = max(error, max(mag(sum - Sf))/max(mag(Sf)));
@@ -184,11 +186,11 @@ TEST_P(Closure, boundaryFacesMirrorTheFacesOfTheMesh)
 {
     for (const char* type : {"order 0;", "order 1;"})
     {
-        EXPECT_LT(mirrorError(*scene->assemble(type)), 1e-13) << type;
+        EXPECT_LT(mirrorError(scene->mesh(), *scene->assemble(type)), 1e-13) << type;
     }
 
     const auto m = scene->assemble("order 0;");
-    for (const sphPatch& patch : m->boundary())
+    for (const particlePatch& patch : m->boundary())
     {
         for (label s = 0; s < patch.size(); ++s)
         {
@@ -283,7 +285,10 @@ INSTANTIATE_TEST_SUITE_P
 (
     Scenes,
     Closure,
-    testing::Values("box", "hole", "channel", "periodic", "cube")
+    testing::Values
+    (
+        "box", "hole", "channel", "periodic", "cube", "pipe"
+    )
 );
 
 
@@ -294,7 +299,7 @@ TEST(Closure, particlesBeyondAConvexEdgeHaveNoPartOfItsFaces)
 
     // A square hole has edges of this kind alone: nobody faces two sides
     label nFaces = 0;
-    for (const sphPatch& patch : m->boundary())
+    for (const particlePatch& patch : m->boundary())
     {
         if (patch.patch().name() != "hole")
         {
@@ -348,7 +353,7 @@ TEST(Closure, variableSpacingClosesToo)
 
     const auto m = scene.assemble("order 1;");
     EXPECT_NEAR(sum(m->V()), gSum(scene.mesh().V()), 1e-13);
-    EXPECT_LT(mirrorError(*m), 1e-13);
+    EXPECT_LT(mirrorError(scene.mesh(), *m), 1e-13);
 
     const vectorField g(gradient(*m, [](const point& p) { return p.y(); }));
     EXPECT_LT(max(mag(g - vector(0, 1, 0))), 5e-12);
@@ -381,8 +386,10 @@ TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)
     }
 
     labelList nFaces(m->nParticles(), Zero);
-    for (const sphPatch& patch : m->boundary())
+    const scalarField& distance = m->written().boundary.distance;
+    for (const particlePatch& patch : m->boundary())
     {
+        const labelList face(m->fvmFaces(patch));
         for (label s = 0; s < patch.size(); ++s)
         {
             const label i = patch.owner()[s];
@@ -391,8 +398,11 @@ TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)
 
             const auto nearest = scene->fluid().find(m->C()[i]);
             EXPECT_EQ(nearest.patchi, patch.index());
-            EXPECT_EQ(nearest.facei, patch.face()[s]);
-            EXPECT_NEAR(-nearest.distance, patch.distance()[s], 1e-14);
+            EXPECT_EQ(nearest.facei, face[s]);
+            EXPECT_NEAR
+            (
+                -nearest.distance, distance[patch.start() + s], 1e-14
+            );
         }
     }
 
@@ -416,10 +426,10 @@ TEST(SurfaceVector, splitsCornersAlongBothWalls)
     const auto split =
         scene->assemble("type surfaceVector; splitCorners yes;");
 
-    const auto sums = [](const sphMesh& m)
+    const auto sums = [](const particleMesh& m)
     {
         vectorField sum(m.nParticles(), Zero);
-        for (const sphPatch& patch : m.boundary())
+        for (const particlePatch& patch : m.boundary())
         {
             forAll(patch.owner(), s)
             {
@@ -433,7 +443,7 @@ TEST(SurfaceVector, splitsCornersAlongBothWalls)
     // Vectors of the box's sides are normal to them but for the particles
     // that a second side cuts off by a little
     label nOblique = 0;
-    for (const sphPatch& patch : split->boundary())
+    for (const particlePatch& patch : split->boundary())
     {
         forAll(patch.owner(), s)
         {
