@@ -34,7 +34,7 @@ Usage
 #include "emptyPolyPatch.H"
 #include "periodicImages.H"
 #include "solutionSpace.H"
-#include "sphMesh.H"
+#include "particleMesh.H"
 
 #include <algorithm>
 #include <complex>
@@ -156,7 +156,7 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
-    const SPH::sphMesh particles(mesh);
+    const SPH::particleMesh particles(mesh);
     const pointField& points = particles.C();
     const scalar dp = particles.spacing()[0];
 
