@@ -35,11 +35,15 @@ Foam::SPH::particleResults::particleResults(const Time& runTime)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::word Foam::SPH::particleResults::timeName(const instant& time) const
+Foam::word Foam::SPH::particleResults::timeName
+(
+    const instantList& times,
+    const instant& time
+)
 {
-    for (const instant& t : times())
+    for (const instant& t : times)
     {
-        if (mag(t.value() - time.value()) <= 1e-9*mag(t.value()))
+        if (equal(t, time))
         {
             return t.name();
         }

@@ -8,10 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "contactBoundary.H"
-#include "cellGrid.H"
+#include "particlePolyMesh.H"
 #include "labelIOList.H"
 #include "scalarIOField.H"
-#include "SubField.H"
 #include "vectorIOField.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -42,12 +41,10 @@ void Foam::SPH::writeContactBoundary
                 << exit(FatalError);
         }
 
-        const scalar length = sqrt(average(mag(pp.faceAreas())()));
-        const cellGrid grid(pp.faceCentres(), 2*length);
-        for (label s = start; s < start + size; ++s)
-        {
-            face[s] = grid.nearest(pp.faceCentres(), faces.Cf[s], length);
-        }
+        SubList<label>(face, size, start) = particlePolyMesh::nearestFaces
+        (
+            pp, SubList<point>(faces.Cf, size, start)
+        );
     }
 
     files.writeArray<labelIOList>("contactStart", faces.start);

@@ -89,7 +89,7 @@ Foam::label Foam::SPH::particlePolyMesh::cyclicPatch(const labelList& periods)
     label nCrossed = 0;
 
     label k = 0;
-    for (const label patchi : periodicPatches(mesh_))
+    for (const label patchi : periodicPatches_)
     {
         const auto& cyclic =
             refCast<const cyclicPolyPatch>(mesh_.boundaryMesh()[patchi]);
@@ -172,8 +172,7 @@ bool Foam::SPH::particlePolyMesh::kept
 
 void Foam::SPH::particlePolyMesh::addPairs()
 {
-    const List<vector> translations(periodicTranslations(mesh_));
-    const List<labelList> combinations(imagePeriods(translations.size()));
+    const List<labelList> combinations(imagePeriods(translations_.size()));
 
     const auto append = [&]
     (
@@ -229,7 +228,7 @@ void Foam::SPH::particlePolyMesh::addPairs()
             label first = 0;
             forAll(periods, k)
             {
-                offset += scalar(periods[k])*translations[k];
+                offset += scalar(periods[k])*translations_[k];
                 opposite[k] = -periods[k];
                 first = first ? first : periods[k];
             }
@@ -281,17 +280,9 @@ void Foam::SPH::particlePolyMesh::addBoundaryFaces()
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         patchFaces& patch = patches_[pp.index()];
-        if (pp.coupled() && pp.size() && patch.face.size())
+        if (pp.coupled() && pp.size())
         {
-            const scalar size = sqrt(average(mag(pp.faceAreas())()));
-            const cellGrid grid(pp.faceCentres(), 2*size);
-            forAll(patch.face, k)
-            {
-                patch.face[k] = grid.nearest
-                (
-                    pp.faceCentres(), patch.Cf[k], size
-                );
-            }
+            patch.face = nearestFaces(pp, patch.Cf);
         }
     }
 }
@@ -435,7 +426,9 @@ Foam::SPH::particlePolyMesh::particlePolyMesh
             cmptMax(cmptMag(mesh.bounds().min())),
             cmptMax(cmptMag(mesh.bounds().max()))
         )
-    )
+    ),
+    periodicPatches_(periodicPatches(mesh)),
+    translations_(periodicTranslations(mesh))
 {
     addPatches();
 
@@ -468,6 +461,24 @@ Foam::SPH::particlePolyMesh::particlePolyMesh
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::SPH::particlePolyMesh::nearestFaces
+(
+    const polyPatch& pp,
+    const UList<point>& points
+)
+{
+    const scalar size = sqrt(average(mag(pp.faceAreas())()));
+    const cellGrid grid(pp.faceCentres(), 2*size);
+
+    labelList faces(points.size());
+    forAll(faces, k)
+    {
+        faces[k] = grid.nearest(pp.faceCentres(), points[k], size);
+    }
+    return faces;
+}
+
 
 Foam::autoPtr<Foam::polyMesh> Foam::SPH::particlePolyMesh::makeMesh
 (

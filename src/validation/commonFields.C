@@ -63,7 +63,7 @@ namespace SPH
                 bool known = time.name() == "constant";
                 for (const instant& t : result)
                 {
-                    known = known || referenceCase::equal(t, time);
+                    known = known || particleResults::equal(t, time);
                 }
                 if (!known)
                 {

@@ -90,19 +90,6 @@ Foam::SPH::referenceCase::referenceCase
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::word Foam::SPH::referenceCase::timeName(const instant& time) const
-{
-    for (const instant& t : times())
-    {
-        if (equal(t, time))
-        {
-            return t.name();
-        }
-    }
-    return word::null;
-}
-
-
 Foam::IOobjectList Foam::SPH::referenceCase::objects
 (
     const instant& time
