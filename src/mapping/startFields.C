@@ -8,11 +8,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "startFields.H"
-#include "cellSpacing.H"
-#include "IOdictionary.H"
 #include "meshSearch.H"
 #include "particleFiles.H"
 #include "scalarIOField.H"
+#include "stressModels.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -32,28 +31,20 @@ bool Foam::SPH::startFields::isNewtonian() const
 {
     const IOdictionary properties
     (
-        IOobject
+        readDictIfPresent
         (
-            "turbulenceProperties",
-            mesh_.time().constant(),
-            mesh_.time(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
+            mesh_.time(), "turbulenceProperties", mesh_.time().constant()
         )
     );
 
-    // The key of the laminar model has changed with OpenFOAM's versions
-    const dictionary laminar(properties.subOrEmptyDict("laminar"));
-    bool newtonian =
-        properties.getOrDefault<word>("simulationType", "laminar")
-     == "laminar";
-    for (const word key : {"laminarModel", "model"})
+    for (const modelEntry& e : stressModels(properties))
     {
-        const word model(laminar.getOrDefault<word>(key, "Stokes"));
-        newtonian = newtonian && (model == "Stokes" || model == "laminar");
+        if (!e.isNewtonian())
+        {
+            return false;
+        }
     }
-    return newtonian;
+    return true;
 }
 
 

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unsupportedModels.H"
-#include "IOdictionary.H"
+#include "stressModels.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -16,27 +16,6 @@ namespace Foam
 {
 namespace SPH
 {
-    static IOdictionary readIfPresent
-    (
-        const Time& runTime,
-        const word& name,
-        const word& folder
-    )
-    {
-        return IOdictionary
-        (
-            IOobject
-            (
-                name,
-                folder,
-                runTime,
-                IOobject::READ_IF_PRESENT,
-                IOobject::NO_WRITE,
-                false
-            )
-        );
-    }
-
     static void refuse
     (
         const dictionary& dict,
@@ -84,46 +63,32 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
 
     const IOdictionary turbulence
     (
-        readIfPresent(runTime, "turbulenceProperties", constant)
+        readDictIfPresent(runTime, "turbulenceProperties", constant)
     );
-    refuse
-    (
-        turbulence,
-        "simulationType",
-        turbulence.getOrDefault<word>("simulationType", "laminar"),
-        {"laminar"}
-    );
-    const dictionary laminar(turbulence.subOrEmptyDict("laminar"));
-    for (const word entry : {"laminarModel", "model"})
+    for (const modelEntry& e : stressModels(turbulence))
     {
-        refuse
-        (
-            laminar,
-            entry,
-            laminar.getOrDefault<word>(entry, "Stokes"),
-            {"Stokes", "laminar"}
-        );
+        refuse(turbulence, e.name, e.value, e.newtonian);
     }
 
     for (const word& folder : {constant, system})
     {
         refuseActive
         (
-            readIfPresent(runTime, "fvOptions", folder), "fvOptions"
+            readDictIfPresent(runTime, "fvOptions", folder), "fvOptions"
         );
     }
     refuseActive
     (
-        readIfPresent(runTime, "MRFProperties", constant), "rotating frames"
+        readDictIfPresent(runTime, "MRFProperties", constant), "rotating frames"
     );
     refuseActive
     (
-        readIfPresent(runTime, "porosityProperties", constant), "porous zones"
+        readDictIfPresent(runTime, "porosityProperties", constant), "porous zones"
     );
 
     const IOdictionary motion
     (
-        readIfPresent(runTime, "dynamicMeshDict", constant)
+        readDictIfPresent(runTime, "dynamicMeshDict", constant)
     );
     refuse
     (
