@@ -160,7 +160,15 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::conservationLaw::New
     faceStates& faces
 )
 {
-    const word scheme(schemes.getOrDefault<word>("fluxScheme", "HLLC"));
+    const bool papers =
+        schemes.getOrDefault<word>("scheme", "none") == "papers";
+    const word scheme
+    (
+        schemes.getOrDefault<word>
+        (
+            "fluxScheme", papers ? "HLLCLimited" : "Kurganov"
+        )
+    );
 
     const auto cstrIter = compressibleConstructorTablePtr_->cfind(scheme);
 
@@ -221,6 +229,31 @@ Foam::label Foam::SPH::conservationLaw::nFallbacks()
 void Foam::SPH::conservationLaw::store()
 {
     Q0_ = Q_;
+}
+
+
+Foam::label Foam::SPH::conservationLaw::acousticRate
+(
+    scalar& largest,
+    scalar& mean
+) const
+{
+    largest = 0;
+    mean = 0;
+    label fastest = 0;
+    for (label i = 0; i < particles_.nParticles(); ++i)
+    {
+        const scalar rate = waveSpeed(i)*rSpacing_[0][i];
+        if (rate > largest)
+        {
+            largest = rate;
+            fastest = i;
+        }
+        mean += rate;
+    }
+    mean /= particles_.nParticles();
+
+    return fastest;
 }
 
 

@@ -79,7 +79,7 @@ public:
 
     virtual scalar defaultCo() const
     {
-        return 0.5;
+        return 0.4;
     }
 
     virtual scalar maxDiffusion() const
@@ -105,7 +105,7 @@ public:
 
     virtual scalar defaultCo() const
     {
-        return 1;
+        return 0.9;
     }
 
     virtual scalar maxDiffusion() const
@@ -153,7 +153,7 @@ public:
 
     virtual scalar defaultCo() const
     {
-        return 0.6;
+        return 0.5;
     }
 
     virtual scalar maxDiffusion() const

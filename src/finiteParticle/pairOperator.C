@@ -236,21 +236,12 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::dropReconstruction()
 
 
 template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::acousticRate
+Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::waveSpeed
 (
-    scalar& largest,
-    scalar& mean
+    const label i
 ) const
 {
-    largest = 0;
-    mean = 0;
-    for (label i = 0; i < particles_.nParticles(); ++i)
-    {
-        const scalar rate = flux_.waveSpeed(load(W_, i))*rSpacing_[0][i];
-        largest = max(largest, rate);
-        mean += rate;
-    }
-    mean /= particles_.nParticles();
+    return flux_.waveSpeed(load(W_, i));
 }
 
 
@@ -311,37 +302,22 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
 
     const word reconstruction
     (
-        schemes.getOrDefault<word>("reconstruction", "linear")
+        checkedWord(schemes, "reconstruction", "linear", {"linear", "none"})
     );
-    const word limiter(schemes.getOrDefault<word>("limiter", defaultLimiter));
-    const word wallGradient
+    const word limiter
     (
-        schemes.getOrDefault<word>("wallGradient", "quadratic")
+        checkedWord
+        (
+            schemes,
+            "limiter",
+            defaultLimiter,
+            {
+                "BarthJespersen", "Minmod", "MUSCL", "none", "vanAlbada",
+                "vanLeer"
+            }
+        )
     );
-
-    const auto check = [&]
-    (
-        const word& entry,
-        const word& value,
-        const wordList& choices
-    )
-    {
-        if (!choices.found(value))
-        {
-            FatalIOErrorInFunction(schemes)
-                << "Unknown " << entry << " " << value << nl << nl
-                << "Valid choices:" << nl << choices << exit(FatalIOError);
-        }
-    };
-
-    check("reconstruction", reconstruction, {"linear", "none"});
-    check
-    (
-        "limiter",
-        limiter,
-        {"BarthJespersen", "Minmod", "MUSCL", "none", "vanAlbada", "vanLeer"}
-    );
-    check("wallGradient", wallGradient, {"linear", "quadratic"});
+    checkedWord(schemes, "wallGradient", "quadratic", {"linear", "quadratic"});
 
     if (reconstruction == "none")
     {

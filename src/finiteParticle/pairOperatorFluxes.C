@@ -93,6 +93,22 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             stateI = flux.template limitedState<Limiter>(I, J, stepI);
             stateJ = flux.template limitedState<Limiter>(J, I, stepJ);
 
+            if constexpr (Flux::damped)
+            {
+                scalar divU = 0;
+                scalar magSqrDelta = 0;
+                for (int d = 0; d < nDims; ++d)
+                {
+                    const int c = (1 + d)*nDims + d;
+                    divU += 0.5*(G[c][i] + G[c][j]);
+                    magSqrDelta += delta[d]*delta[d];
+                }
+                const scalar pressure =
+                    flux.dampingPressure(divU, std::sqrt(magSqrDelta));
+                stateI[0] += pressure;
+                stateJ[0] += pressure;
+            }
+
             const bool physical =
                 flux.physical(stateI) & flux.physical(stateJ);
             for (int v = 0; v < nVars; ++v)

@@ -286,6 +286,20 @@ void Foam::SPH::particleCase::writeDictionaries()
 {
     writeFolder("system");
     writeFolder("constant");
+
+    // Schemes of the native solvers may come later
+    const fileName schemes("system/sphSchemes");
+    if (!isFile(mesh_.time().path()/schemes))
+    {
+        files_.writeText
+        (
+            schemes,
+            header("dictionary", schemes.name())
+          + "\n// Of the FVM case, once it has them\n"
+            "#includeIfPresent \"../../system/sphSchemes\"\n"
+        );
+    }
+
     files_.write();
 }
 

@@ -8,10 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleMeshProperties.H"
+#include "checkEntries.H"
 #include "particleFiles.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "StringStream.H"
+#include "Tuple2.H"
 
 #include <fstream>
 
@@ -26,11 +28,60 @@ namespace SPH
     static const label generationVersion = 3;
 
     //- Entries of sphMeshDict
-    static const wordHashSet validEntries
+    static const wordList validEntries
     ({
-        "spacing", "kernel", "lattice", "bodies", "relaxation", "closure",
-        "levelSet"
+        "scheme", "spacing", "kernel", "lattice", "bodies", "relaxation",
+        "closure", "levelSet"
     });
+
+    //- Entries of its sub-dictionaries
+    static const List<Tuple2<word, wordList>> subEntries
+    ({
+        {
+            "spacing",
+            {
+                "type", "value", "base", "near", "regions", "growth", "scale",
+                "min", "max"
+            }
+        },
+        {"kernel", {"type", "smoothingRatio"}},
+        {"lattice", {"type", "jitter", "seed"}},
+        {
+            "relaxation",
+            {
+                "type", "tolerance", "disturbance", "momentum",
+                "maxIterations", "logInterval", "skin", "freeze", "repair",
+                "viscosity"
+            }
+        },
+        {
+            "closure",
+            {
+                "type", "order", "sweeps", "tolerance", "maxIterations",
+                "volumes", "threshold", "splitCorners"
+            }
+        },
+        {"levelSet", {"method", "gridRatio"}}
+    });
+
+    //- Entries of each body
+    static const wordList bodyEntries
+    ({
+        "patches", "surface", "scale", "maxHoleSize", "smoothingRatio"
+    });
+
+    //- What scheme papers stands for, but for what the dictionary says
+    static void setPapers(dictionary& dict)
+    {
+        IStringStream is
+        (
+            "kernel { type LaguerreGauss; smoothingRatio 1.3; }"
+            "closure { type surfaceVector; splitCorners yes; }"
+        );
+        const dictionary given(dict);
+        dict.merge(dictionary(is));
+        dict.merge(given);
+    }
 
     //- Points, faces and patches of a mesh
     static void appendMesh(const fvMesh& mesh, SHA1& sha)
@@ -144,21 +195,25 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
 
     IOdictionary dict(io);
 
-    for (const entry& e : dict)
+    checkEntries(dict, validEntries, file);
+    for (const auto& sub : subEntries)
     {
-        // Others than dictionaries may be variables
-        if
-        (
-            e.isDict()
-         && e.keyword() != "FoamFile"
-         && !validEntries.found(e.keyword())
-        )
+        if (dict.isDict(sub.first()))
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry " << e.keyword() << nl << nl
-                << "Valid entries:" << nl << validEntries.sortedToc()
-                << exit(FatalIOError);
+            checkEntries(dict.subDict(sub.first()), sub.second(), file);
         }
+    }
+    for (const entry& e : dict.subOrEmptyDict("bodies"))
+    {
+        if (e.isDict())
+        {
+            checkEntries(e.dict(), bodyEntries, file);
+        }
+    }
+
+    if (checkedWord(dict, "scheme", "none", {"none", "papers"}) == "papers")
+    {
+        setPapers(dict);
     }
 
     return dict;

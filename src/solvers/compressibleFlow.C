@@ -86,7 +86,8 @@ Foam::SPH::compressibleFlow::compressibleFlow
     const particleMesh& particles
 )
 :
-    flowSolver(runTime, particles),
+    // Shocks and waves that move need steps of half what is stable
+    flowSolver(runTime, particles, 0.5),
     U_(fieldIO<vector>("U"), particles.mesh()),
     T_(fieldIO<scalar>("T"), particles.mesh()),
     p_(fieldIO<scalar>("p"), particles.mesh()),

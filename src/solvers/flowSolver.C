@@ -132,7 +132,8 @@ void Foam::SPH::flowSolver::appendComponents
 Foam::SPH::flowSolver::flowSolver
 (
     Time& runTime,
-    const particleMesh& particles
+    const particleMesh& particles,
+    const scalar accurateCo
 )
 :
     regIOobject
@@ -148,20 +149,21 @@ Foam::SPH::flowSolver::flowSolver
     ),
     runTime_(runTime),
     particles_(particles),
-    schemes_(schemesIO(runTime)),
+    schemes_(runTime),
     timeScheme_(timeScheme::New(schemes_)),
     maxCo_
     (
         schemes_.getCheckOrDefault<scalar>
         (
             "maxCo",
-            timeScheme_->defaultCo(),
+            min(accurateCo, timeScheme_->defaultCo()),
             [](const scalar maxCo) { return maxCo > 0; }
         )
     ),
     nDropped_(0),
     nHalved_(0),
-    subIndex_(-1)
+    subIndex_(-1),
+    longest_(0)
 {}
 
 
@@ -195,20 +197,6 @@ void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
         particleFiles(mesh.time()).requireCurrent();
     }
     refuseUnsupportedModels(mesh.time());
-}
-
-
-Foam::IOobject Foam::SPH::flowSolver::schemesIO(const Time& runTime)
-{
-    return IOobject
-    (
-        "sphSchemes",
-        runTime.system(),
-        runTime,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
 }
 
 

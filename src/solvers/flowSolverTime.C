@@ -50,9 +50,61 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::SPH::flowSolver::stableDeltaT() const
+Foam::scalar Foam::SPH::flowSolver::stableDeltaT()
 {
-    return 1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+    // A strong shock may shorten steps by some thousand times
+    constexpr scalar collapse = 1e-6;
+
+    const scalar dt =
+        1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+
+    longest_ = max(longest_, dt);
+    if (dt < collapse*longest_)
+    {
+        scalar largest;
+        scalar mean;
+        stop(law_->acousticRate(largest, mean), dt);
+    }
+    return dt;
+}
+
+
+void Foam::SPH::flowSolver::stop(const label i, const scalar dt) const
+{
+    scalar magSqrU = 0;
+    for (label d = 1; d <= loopDims(particles_); ++d)
+    {
+        magSqrU += sqr(law_->W()[d][i]);
+    }
+    const scalar speed = Foam::sqrt(magSqrU);
+    const scalar wave = law_->waveSpeed(i);
+
+    wordHashSet patches;
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        if (patch.owner().found(i))
+        {
+            patches.insert(patch.name());
+        }
+    }
+
+    FatalErrorInFunction
+        << "The flow diverges at time " << runTime_.timeName()
+        << ": time steps of " << dt << " s, after " << longest_
+        << " s, do not keep the state physical" << nl
+        << "    particle " << i << " at " << particles_.C()[i];
+    if (patches.size())
+    {
+        FatalError<< " on " << flatOutput(patches.sortedToc());
+    }
+    FatalError
+        << nl << "    speed " << speed << " m/s, Mach number "
+        << speed/(wave - speed) << ", Courant number "
+        << wave*dt/particles_.spacing()[i] << nl
+        << "Does a patch leave p, T or U free where the flow enters?"
+        << " Otherwise lower maxCo (" << maxCo_
+        << "), or choose limiter Minmod or reconstruction none in "
+        << schemes_.objectPath() << exit(FatalError);
 }
 
 
@@ -65,6 +117,7 @@ void Foam::SPH::flowSolver::step
 {
     constexpr label maxHalvings = 8;
 
+    label failed = -1;
     label nDropped = 0;
     do
     {
@@ -74,6 +127,7 @@ void Foam::SPH::flowSolver::step
             law_->resumeReconstruction();
             return;
         }
+        failed = law_->failed();
         nDropped = law_->dropReconstruction();
         nDropped_ += nDropped;
     }
@@ -81,12 +135,7 @@ void Foam::SPH::flowSolver::step
 
     if (nHalvings == maxHalvings)
     {
-        FatalErrorInFunction
-            << "The flow diverges at time " << runTime_.timeName()
-            << ": the state of a particle is not physical even with a time"
-            << " step of " << dt << " s. Lower maxCo or choose a more"
-            << " dissipative fluxScheme or limiter in "
-            << schemes_.objectPath() << exit(FatalError);
+        stop(failed, dt);
     }
 
     ++nHalved_;

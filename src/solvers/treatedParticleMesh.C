@@ -8,8 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "treatedParticleMesh.H"
+#include "checkEntries.H"
 #include "contactBoundary.H"
-#include "flowSolver.H"
+#include "sphSchemes.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -18,19 +19,17 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::treatedParticleMesh
     const fvMesh& mesh
 )
 {
-    const IOdictionary schemes(flowSolver::schemesIO(mesh.time()));
+    const sphSchemes schemes(mesh.time());
     const word treatment
     (
-        schemes.getOrDefault<word>("boundaryTreatment", "surfaceVector")
+        checkedWord
+        (
+            schemes,
+            "boundaryTreatment",
+            "surfaceVector",
+            {"contact", "surfaceVector"}
+        )
     );
-    const wordList choices({"contact", "surfaceVector"});
-
-    if (!choices.found(treatment))
-    {
-        FatalIOErrorInFunction(schemes)
-            << "Unknown boundaryTreatment " << treatment << nl << nl
-            << "Valid choices:" << nl << choices << exit(FatalIOError);
-    }
 
     autoPtr<particleMesh> particles(new particleMesh(mesh));
     if (treatment == "surfaceVector")

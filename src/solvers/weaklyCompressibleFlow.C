@@ -8,7 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "weaklyCompressibleFlow.H"
+#include "checkEntries.H"
 #include "linear.H"
+#include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -55,23 +57,52 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
 }
 
 
-Foam::scalar Foam::SPH::weaklyCompressibleFlow::largestVelocity() const
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
+(
+    const scalar nu
+) const
 {
-    scalar largest = gMax(mag(U_.primitiveField())());
+    scalar U = gMax(mag(U_.primitiveField())());
+    scalarMinMax p(gMinMax(p_.primitiveField()));
+    scalar wallArea = 0;
 
-    for (const fvPatchVectorField& Up : U_.boundaryField())
+    for (const fvPatch& patch : particles_.mesh().boundary())
     {
+        const label patchi = patch.index();
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+
+        if (isA<wallFvPatch>(patch))
+        {
+            wallArea += gSum(patch.magSf());
+        }
         if (Up.fixesValue() && returnReduce(Up.size(), sumOp<label>()))
         {
-            largest = max(largest, gMax(mag(Up)()));
+            U = max(U, gMax(mag(Up)()));
+        }
+        if (pp.fixesValue() && returnReduce(pp.size(), sumOp<label>()))
+        {
+            p += gMinMax(pp);
         }
     }
+    const scalar driven = 2*(p.max() - p.min());
+    U = max(U, sqrt(driven));
 
-    return largest;
+    // Loss of pressure along a channel of two walls with gap h = 2 V/A:
+    // 12 nu U L/h^2
+    const scalar length =
+        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()));
+    const scalar wallPerVolume = wallArea/gSum(particles_.mesh().V());
+    const scalar loss = 3*nu*U*length*sqr(wallPerVolume);
+
+    return max(U, sqrt(loss));
 }
 
 
-Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed
+(
+    const scalar nu
+) const
 {
     const auto positive = [](const scalar value) { return value > 0; };
 
@@ -80,25 +111,65 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed() const
         return schemes_.getCheck<scalar>("soundSpeed", positive);
     }
 
-    if (state_.found("soundSpeed"))
-    {
-        return state_.get<scalar>("soundSpeed");
-    }
-
     const scalar ratio =
         schemes_.getCheckOrDefault<scalar>("soundSpeedRatio", 10, positive);
 
-    const scalar largest = largestVelocity();
-
-    if (largest <= 0)
+    if (state_.found("velocityScale"))
     {
-        FatalIOErrorInFunction(schemes_)
-            << "Initial and boundary velocities are all zero: give the entry"
-            << " soundSpeed, ten times the largest velocity expected"
-            << exit(FatalIOError);
+        return ratio*state_.get<scalar>("velocityScale");
     }
 
-    return ratio*largest;
+    const scalar scale = velocityScale(nu);
+
+    if (scale <= 0)
+    {
+        FatalIOErrorInFunction(schemes_)
+            << "Initial and boundary values have neither a velocity nor a"
+            << " difference of pressures: give the entry soundSpeed, ten times"
+            << " the largest velocity expected" << exit(FatalIOError);
+    }
+
+    return ratio*scale;
+}
+
+
+Foam::SPH::weaklyCompressibleFluid
+Foam::SPH::weaklyCompressibleFlow::readFluid()
+{
+    const scalar nu = viscosity();
+    const scalar c = soundSpeed(nu);
+    const scalar ratio = schemes_.getOrDefault<scalar>("soundSpeedRatio", 10);
+    state_.set("velocityScale", c/ratio);
+
+    const bool constant =
+        checkedWord(schemes_, "density", "constant", {"constant", "variable"})
+     == "constant";
+    const scalar damping = schemes_.getCheckOrDefault<scalar>
+    (
+        "soundDamping", 0.25, [](const scalar value) { return value >= 0; }
+    );
+
+    return {c, nu, constant ? 0 : 1/sqr(c), damping};
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::warnOfCompression()
+{
+    constexpr scalar largestMach = 0.3;
+    constexpr scalar largestVariation = 0.05;
+
+    const scalar Mach = gMax(mag(U_.primitiveField())())/fluid_.c;
+    const scalar variation = gMax(mag(p_.primitiveField())())/sqr(fluid_.c);
+
+    if (!warned_ && (Mach > largestMach || variation > largestVariation))
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The flow is compressed: Mach number " << Mach
+            << ", density off by " << variation << " at time "
+            << runTime_.timeName() << ". Raise soundSpeedRatio in "
+            << schemes_.objectPath() << nl << endl;
+    }
 }
 
 
@@ -189,6 +260,7 @@ void Foam::SPH::weaklyCompressibleFlow::updateFields()
     p_.primitiveFieldRef() = law_->primitive(0);
     U_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
+    warnOfCompression();
 
     if (runTime_.writeTime() || runTime_.functionObjects().size())
     {
@@ -206,7 +278,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     const particleMesh& particles
 )
 :
-    flowSolver(runTime, particles),
+    flowSolver(runTime, particles, 1),
     U_(fieldIO<vector>("U"), particles.mesh()),
     p_(fieldIO<scalar>("p"), particles.mesh()),
     rhoU_(stateField<vector>("rhoU", dimVelocity)),
@@ -230,12 +302,11 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
             IOobject::AUTO_WRITE
         )
     ),
-    fluid_{soundSpeed(), viscosity()}
+    fluid_(readFluid()),
+    warned_(false)
 {
     checkDimensions(U_, dimVelocity);
     checkDimensions(p_, sqr(dimVelocity));
-    state_.set("soundSpeed", fluid_.c);
-
 
     Info<< "Sound speed " << fluid_.c << " m/s, kinematic viscosity "
         << fluid_.nu << " m^2/s" << nl << endl;

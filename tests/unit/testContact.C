@@ -26,8 +26,8 @@ namespace
 
 const perfectGasFluid viscousAir{1.4, 287, 1.8e-5, 0, 0, 1005/0.7};
 const perfectGasFluid inviscidAir{1.4, 287, 0, 0, 0, 1005/0.7};
-const weaklyCompressibleFluid water{10, 0.01};
-const weaklyCompressibleFluid inviscidWater{10, 0};
+const weaklyCompressibleFluid water{10, 0.01, 0.01, 0};
+const weaklyCompressibleFluid inviscidWater{10, 0, 0.01, 0};
 
 constexpr scalar dp = 0.05;
 

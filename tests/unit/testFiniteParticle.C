@@ -32,7 +32,7 @@ namespace
 
 const perfectGasFluid air{1.4, 287, 0, 0, 0, 1005/0.7};
 const perfectGasFluid viscousAir{1.4, 287, 1.8e-5, 0, 0, 1005/0.7};
-const weaklyCompressibleFluid water{10, 0.01};
+const weaklyCompressibleFluid water{10, 0.01, 0.01, 0.25};
 
 constexpr label nSide = 12;
 
@@ -540,6 +540,70 @@ TEST(ConservationLaw, ConservesBetweenSlipWalls)
         EXPECT_NEAR(change[2], -1e-6*force.y(), 1e-11);
         EXPECT_NEAR(change[3], 0, 1e-8);
         EXPECT_GT(mag(force), 1);
+    }
+}
+
+
+TEST(ConservationLaw, KeepsUniformPressureAndVelocityAcrossContacts)
+{
+    // A jump of temperature and density by 1000 that moves over the particles
+    const scalarField x(particles().C().component(0));
+    scalarField T(x.size(), 300);
+    forAll(T, i)
+    {
+        T[i] *= x[i] < 0.5 ? 1 : 1e-3;
+    }
+
+    for (const word flux : {"Kurganov", "HLLC", "HLLCLimited"})
+    {
+        for
+        (
+            const word limiter
+          : {
+                "firstOrder", "vanLeer", "vanAlbada", "Minmod", "MUSCL",
+                "BarthJespersen"
+            }
+        )
+        {
+            givenStates faces(particles(), 4);
+            for (label v = 0; v < 4; ++v)
+            {
+                faces.setOwn(v);
+            }
+            autoPtr<conservationLaw> law(makeLaw(air, flux, limiter, faces));
+            law->setPrimitive
+            (
+                List<scalarField>
+                ({
+                    T,
+                    scalarField(1, 300),
+                    scalarField(1, 100),
+                    scalarField(1, 1e5)
+                })
+            );
+
+            dictionary schemes;
+            const autoPtr<timeScheme> time(timeScheme::New(schemes));
+            const scalarField before(law->conserved(0));
+            for (label step = 0; step < 50; ++step)
+            {
+                const scalar dt = 1/law->stableRate(0.5, 1);
+                while (!time->advance(*law, faces, dt))
+                {
+                    ASSERT_GT(law->dropReconstruction(), 0);
+                }
+                law->resumeReconstruction();
+            }
+
+            // The contact has moved
+            EXPECT_GT
+            (
+                max(mag(law->conserved(0)() - before)), 0.1*min(before)
+            );
+            EXPECT_LT(max(mag(law->primitive(1)() - 300)), 1e-8);
+            EXPECT_LT(max(mag(law->primitive(2)() - 100)), 1e-8);
+            EXPECT_LT(max(mag(law->primitive(3)()/1e5 - 1)), 1e-10);
+        }
     }
 }
 
