@@ -32,6 +32,15 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::treatedParticleMesh
             << "Valid choices:" << nl << choices << exit(FatalIOError);
     }
 
+    if (treatment == "contact" && Pstream::parRun())
+    {
+        FatalIOErrorInFunction(schemes)
+            << "boundaryTreatment contact runs on one rank, with threads"
+            << " (OMP_NUM_THREADS): a particle may take its wall values from a"
+            << " face of another rank. In parallel, choose surfaceVector"
+            << exit(FatalIOError);
+    }
+
     autoPtr<particleMesh> particles(new particleMesh(mesh));
     if (treatment == "surfaceVector")
     {
