@@ -177,7 +177,9 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
                     halfStep +=
                         G_[v*nDims + d][i0 + lane]*pairs_.delta(d)[e];
                 }
-                halfStep *= std::copysign(0.5, area[e]);
+
+                // Rows without a pair limit nothing
+                halfStep *= area[e] > 0 ? 0.5 : area[e] < 0 ? -0.5 : 0;
 
                 const scalar allowed = limiters::barthJespersen
                 (

@@ -80,7 +80,7 @@ bool Foam::SPH::sphMonitor::execute()
 {
     const auto* solver = mesh_.findObject<flowSolver>(flowSolver::typeName);
 
-    if (!solver || !writeToFile())
+    if (!solver)
     {
         return true;
     }
@@ -94,7 +94,7 @@ bool Foam::SPH::sphMonitor::execute()
         ranges[v] = gMinMax(law.primitive(v)());
     }
 
-    if (!Pstream::master())
+    if (!writeToFile() || !Pstream::master())
     {
         return true;
     }
