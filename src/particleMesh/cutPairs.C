@@ -101,7 +101,7 @@ Foam::SPH::cutPairs::cutPairs
     }
 
     const vectorField otherRelative(otherSide(mesh, relative));
-    const labelList cutIds(labelUIndList(otherId, boundaryFace)());
+    const labelList cutIds(labelUIndList(otherId, boundaryFace));
     labelList elements(labelHashSet(cutIds).sortedToc());
     const labelList haloIds(elements);
     List<Map<label>> compact;

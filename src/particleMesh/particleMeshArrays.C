@@ -29,6 +29,13 @@ namespace SPH
     //- Least distance of a particle to its boundary face over the spacing
     static const scalar smallestDistance = 0.05;
 
+    template<class List>
+    static void sortBy(List& values, const labelUList& order)
+    {
+        values =
+            List(UIndirectList<typename List::value_type>(values, order));
+    }
+
     //- Pairs i, j with the vectors from both centres to the face's centre
     class pairAppender
     {
@@ -79,12 +86,13 @@ namespace SPH
                 face_.setSize(nPairs_);
                 reversed_.setSize(nPairs_);
                 const labelList order(sortedOrder(face_));
-                data_.owner = labelUIndList(data_.owner, order)();
-                data_.neighbour = labelUIndList(data_.neighbour, order)();
-                data_.Sf = vectorField(data_.Sf, order);
-                data_.delta = vectorField(data_.delta, order);
-                data_.skew = vectorField(data_.skew, order);
-                data_.reversed = bitSet(UIndirectList<bool>(reversed_, order)());
+                sortBy(data_.owner, order);
+                sortBy(data_.neighbour, order);
+                sortBy(data_.Sf, order);
+                sortBy(data_.delta, order);
+                sortBy(data_.skew, order);
+                sortBy(reversed_, order);
+                data_.reversed = bitSet(reversed_);
             }
         }
 
@@ -158,7 +166,9 @@ namespace SPH
         {
             FatalErrorInFunction
                 << "There is no cellProcAddressing or faceProcAddressing of"
-                << " this mesh in " << mesh.time().path()/mesh.meshDir()
+                << " this mesh in "
+                << mesh.time().path()/mesh.facesInstance()
+                  /polyMesh::meshSubDir
                 << ". Divide the particles with 'decomposePar -case sph'"
                 << exit(FatalError);
         }

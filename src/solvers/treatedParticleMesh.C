@@ -34,11 +34,12 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::treatedParticleMesh
 
     if (treatment == "contact" && Pstream::parRun())
     {
-        FatalIOErrorInFunction(schemes)
-            << "boundaryTreatment contact runs on one rank, with threads"
-            << " (OMP_NUM_THREADS): a particle may take its wall values from a"
-            << " face of another rank. In parallel, choose surfaceVector"
-            << exit(FatalIOError);
+        FatalErrorInFunction
+            << schemes.objectPath() << ": boundaryTreatment contact runs on"
+            << " one rank, with threads (OMP_NUM_THREADS), because a particle"
+            << " may take its wall values from a face of another rank. In"
+            << " parallel, choose surfaceVector"
+            << exit(FatalError);
     }
 
     autoPtr<particleMesh> particles(new particleMesh(mesh));
