@@ -51,6 +51,10 @@ void Foam::SPH::conservationLaw::setGeometry()
                 atOwner
               ? particles_.owner()[pairi]
               : particles_.neighbour()[pairi];
+            if (i >= particles_.nParticles())
+            {
+                continue;
+            }
 
             residual[i] += atOwner ? A : -A;
             diffusionWeight_[0][i] += weight;
@@ -81,6 +85,7 @@ void Foam::SPH::conservationLaw::setGeometry()
             closed_ = false;
         }
     }
+    reduce(closed_, andOp<bool>());
 
     if (!closed_)
     {
@@ -106,6 +111,7 @@ Foam::SPH::conservationLaw::conservationLaw
     particles_(faces.particles()),
     faces_(faces),
     pairs_(particles_),
+    halo_(particles_),
     V_(1, pairs_.nSlices()),
     rSpacing_(1, pairs_.nSlices()),
     diffusionWeight_(1, pairs_.nSlices()),
@@ -113,7 +119,7 @@ Foam::SPH::conservationLaw::conservationLaw
     closed_(false),
     Q_(nVariables, pairs_.nSlices()),
     Q0_(nVariables, pairs_.nSlices()),
-    W_(nVariables, pairs_.nSlices()),
+    W_(nVariables, haloExchange::nSlices(particles_)),
     R_(nVariables, pairs_.nSlices()),
     nFallbacks_(0),
     failed_(particles_.nParticles(), false),
@@ -222,7 +228,7 @@ Foam::label Foam::SPH::conservationLaw::nFallbacks()
 {
     const label n = nFallbacks_;
     nFallbacks_ = 0;
-    return n;
+    return returnReduce(n, sumOp<label>());
 }
 
 
@@ -240,7 +246,7 @@ Foam::label Foam::SPH::conservationLaw::acousticRate
 {
     largest = 0;
     mean = 0;
-    label fastest = 0;
+    label fastest = -1;
     for (label i = 0; i < particles_.nParticles(); ++i)
     {
         const scalar rate = waveSpeed(i)*rSpacing_[0][i];
@@ -251,9 +257,14 @@ Foam::label Foam::SPH::conservationLaw::acousticRate
         }
         mean += rate;
     }
-    mean /= particles_.nParticles();
 
-    return fastest;
+    const scalar here = largest;
+    reduce(largest, maxOp<scalar>());
+    mean =
+        returnReduce(mean, sumOp<scalar>())
+       /returnReduce(particles_.nParticles(), sumOp<label>());
+
+    return here == largest ? fastest : -1;
 }
 
 
@@ -270,6 +281,16 @@ Foam::label Foam::SPH::conservationLaw::dropReconstruction()
         }
     };
 
+    labelList failed(failed_.size());
+    forAll(failed, i)
+    {
+        failed[i] = failed_[i];
+    }
+    if (Pstream::parRun())
+    {
+        particles_.halo().distribute(failed);
+    }
+
     forAll(failed_, i)
     {
         if (failed_[i])
@@ -281,18 +302,18 @@ Foam::label Foam::SPH::conservationLaw::dropReconstruction()
     {
         const label i = particles_.owner()[pairi];
         const label j = particles_.neighbour()[pairi];
-        if (failed_[i])
+        if (failed[i] && j < failed_.size())
         {
             drop(j);
         }
-        if (failed_[j])
+        if (failed[j])
         {
             drop(i);
         }
     }
     failed_ = false;
 
-    return firstOrders_.size() - nBefore;
+    return returnReduce(firstOrders_.size() - nBefore, sumOp<label>());
 }
 
 

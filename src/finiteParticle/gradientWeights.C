@@ -30,7 +30,10 @@ Foam::tensorField Foam::SPH::gradientWeights::pairMoments
            *particles.space().toLocal(particles.delta()[pairi])
         );
         M[particles.owner()[pairi]] += moment;
-        M[particles.neighbour()[pairi]] += moment;
+        if (particles.neighbour()[pairi] < M.size())
+        {
+            M[particles.neighbour()[pairi]] += moment;
+        }
     }
 
     return M;
@@ -112,6 +115,7 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
         }
     }
 
+    labelList nDeficient(members.size(), Zero);
     forAll(members, groupi)
     {
         tensorField M(moments);
@@ -130,13 +134,12 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
             )
         );
 
-        label nDeficient = 0;
         forAll(M, i)
         {
             tensor inv;
             if (!invert(M[i], nDims, inv))
             {
-                ++nDeficient;
+                ++nDeficient[groupi];
             }
             for (label a = 0; a < nDims; ++a)
             {
@@ -146,7 +149,15 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
                 }
             }
         }
-        nDeficient_ = max(nDeficient_, nDeficient);
+    }
+
+    // Ranks may group the variables in other ways
+    for (const label groupi : group_)
+    {
+        nDeficient_ = max
+        (
+            nDeficient_, returnReduce(nDeficient[groupi], sumOp<label>())
+        );
     }
 }
 

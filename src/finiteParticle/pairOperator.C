@@ -43,6 +43,75 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
 }
 
 
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
+{
+    const labelList& inner = pairs_.innerSlices();
+    const labelList& outer = pairs_.outerSlices();
+
+    #pragma omp parallel for
+    for (label k = 0; k < inner.size(); ++k)
+    {
+        gradients(inner[k]);
+    }
+
+    halo_.finish(W_);
+
+    #pragma omp parallel
+    {
+        #pragma omp for
+        for (label k = 0; k < outer.size(); ++k)
+        {
+            gradients(outer[k]);
+        }
+
+        #pragma omp for
+        for (label k = 0; k < faces_.owners().size(); ++k)
+        {
+            addFaceGradients(k);
+        }
+
+        if (limitByParticle_)
+        {
+            #pragma omp for
+            for (label slice = 0; slice < pairs_.nSlices(); ++slice)
+            {
+                limitGradients(slice);
+            }
+        }
+
+        #pragma omp for
+        for (label k = 0; k < firstOrders_.size(); ++k)
+        {
+            for (label c = 0; c < G_.nComponents(); ++c)
+            {
+                G_[c][firstOrders_[k]] = 0;
+            }
+        }
+    }
+
+    halo_.start(G_);
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setRates
+(
+    const labelUList& slices
+)
+{
+    label nFallbacks = 0;
+
+    #pragma omp parallel for reduction(+:nFallbacks)
+    for (label k = 0; k < slices.size(); ++k)
+    {
+        nFallbacks += pairFluxes(slices[k]);
+    }
+
+    nFallbacks_ += nFallbacks;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
@@ -65,7 +134,10 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
         Limiter::linear
      && schemes.getOrDefault<word>("wallGradient", "quadratic") == "quadratic"
     ),
-    G_(Limiter::linear ? nVars*nDims : 0, pairs_.nSlices()),
+    G_
+    (
+        Limiter::linear ? nVars*nDims : 0, haloExchange::nSlices(particles_)
+    ),
     gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr)
 {}
 
@@ -137,59 +209,22 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
 template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
 {
-    const label nSlices = pairs_.nSlices();
-    const label nOwners = faces_.owners().size();
-    label nFallbacks = 0;
-
-    #pragma omp parallel reduction(+:nFallbacks)
+    halo_.start(W_);
+    if constexpr (Limiter::linear)
     {
-        if constexpr (Limiter::linear)
-        {
-            #pragma omp for
-            for (label slice = 0; slice < nSlices; ++slice)
-            {
-                gradients(slice);
-            }
-
-            #pragma omp for
-            for (label k = 0; k < nOwners; ++k)
-            {
-                addFaceGradients(k);
-            }
-
-            if (limitByParticle_)
-            {
-                #pragma omp for
-                for (label slice = 0; slice < nSlices; ++slice)
-                {
-                    limitGradients(slice);
-                }
-            }
-
-            #pragma omp for
-            for (label k = 0; k < firstOrders_.size(); ++k)
-            {
-                for (label c = 0; c < G_.nComponents(); ++c)
-                {
-                    G_[c][firstOrders_[k]] = 0;
-                }
-            }
-        }
-
-        #pragma omp for
-        for (label slice = 0; slice < nSlices; ++slice)
-        {
-            nFallbacks += pairFluxes(slice);
-        }
-
-        #pragma omp for
-        for (label k = 0; k < nOwners; ++k)
-        {
-            addFaceFluxes(k);
-        }
+        setGradients();
     }
+    setRates(pairs_.innerSlices());
+    halo_.finish(Limiter::linear ? G_ : W_);
+    setRates(pairs_.outerSlices());
 
-    nFallbacks_ += nFallbacks;
+    const label nOwners = faces_.owners().size();
+
+    #pragma omp parallel for
+    for (label k = 0; k < nOwners; ++k)
+    {
+        addFaceFluxes(k);
+    }
 }
 
 
@@ -223,7 +258,7 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
         admissible = admissible && !failed_[i];
     }
 
-    return admissible;
+    return returnReduce(admissible, andOp<bool>());
 }
 
 
@@ -269,7 +304,7 @@ Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
         largest = max(largest, rate);
     }
 
-    return largest;
+    return returnReduce(largest, maxOp<scalar>());
 }
 
 

@@ -21,7 +21,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     const Flux flux(flux_);
     const label i0 = slice*nLanes;
     const int* neighbour = pairs_.neighbour();
-    const scalar* magSfs = pairs_.magSf();
+    const scalar* areas = pairs_.area();
     const scalar* gradWeights = pairs_.gradWeight();
 
     const scalar* W[nVars];
@@ -55,8 +55,9 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         const std::size_t e = std::size_t(row)*nLanes + lane;
         const label i = i0 + lane;
         const label j = neighbour[e];
-        const bool atOwner = j > i;
-        const scalar sign = atOwner ? 1 : -1;
+        const scalar area = areas[e];
+        const scalar sign = std::copysign(scalar(1), area);
+        const bool atOwner = sign > 0;
 
         vec n;
         vec delta;
@@ -116,7 +117,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
                 stateI[v] = physical ? stateI[v] : I[v];
                 stateJ[v] = physical ? stateJ[v] : J[v];
             }
-            fallback[lane] += physical ? 0 : 1;
+            fallback[lane] += (physical | (j == i)) ? 0 : 1;
         }
 
         vars L;
@@ -128,7 +129,6 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         }
 
         const vars F(flux.pairFlux(L, R, I, n));
-        const scalar area = sign*magSfs[e];
         for (int v = 0; v < nVars; ++v)
         {
             rate[v][lane] -= area*F[v];
@@ -161,7 +161,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             flux.addViscous
             (
                 owner, other, meanGradient,
-                n, magSfs[e], delta, gradWeights[e],
+                n, sign*area, delta, gradWeights[e],
                 viscous
             );
             for (int v = 0; v < nVars; ++v)

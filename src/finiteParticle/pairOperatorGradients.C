@@ -19,7 +19,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
 {
     const label i0 = slice*nLanes;
     const int* neighbour = pairs_.neighbour();
-    const scalar* magSf = pairs_.magSf();
+    const scalar* area = pairs_.area();
 
     const scalar* W[nVars];
     for (int v = 0; v < nVars; ++v)
@@ -42,7 +42,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
             const std::size_t e = std::size_t(row)*nLanes + lane;
             const label i = i0 + lane;
             const label j = neighbour[e];
-            const scalar halfArea = j > i ? 0.5*magSf[e] : -0.5*magSf[e];
+            const scalar halfArea = 0.5*area[e];
 
             for (int v = 0; v < nVars; ++v)
             {
@@ -136,6 +136,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
     const label start = pairs_.start(slice);
     const label end = pairs_.start(slice + 1);
     const int* neighbour = pairs_.neighbour();
+    const scalar* area = pairs_.area();
 
     for (int v = 0; v < nVars; ++v)
     {
@@ -176,7 +177,9 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
                     halfStep +=
                         G_[v*nDims + d][i0 + lane]*pairs_.delta(d)[e];
                 }
-                halfStep *= neighbour[e] > i0 + lane ? 0.5 : -0.5;
+
+                // Rows without a pair limit nothing
+                halfStep *= area[e] > 0 ? 0.5 : area[e] < 0 ? -0.5 : 0;
 
                 const scalar allowed = limiters::barthJespersen
                 (

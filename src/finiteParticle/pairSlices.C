@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pairSlices.H"
+#include "haloExchange.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -24,7 +25,10 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
     forAll(owner, pairi)
     {
         ++nNeighbours[owner[pairi]];
-        ++nNeighbours[neighbour[pairi]];
+        if (neighbour[pairi] < nParticles)
+        {
+            ++nNeighbours[neighbour[pairi]];
+        }
     }
 
     start_[0] = 0;
@@ -59,7 +63,7 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
             }
         }
     }
-    magSf_.assign(size, 0);
+    area_.assign(size, 0);
     gradWeight_.assign(size, 0);
     for (label d = 0; d < nDims; ++d)
     {
@@ -74,12 +78,18 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
         row[i] = start_[i/nLanes];
     }
 
+    bitSet isOuter(nSlices());
     forAll(owner, pairi)
     {
-        const vector A(particles.space().toLocal(particles.Sf()[pairi]));
+        const bool reversed = particles.reversed(pairi);
+        const scalar direction = reversed ? -1 : 1;
+        const vector A
+        (
+            direction*particles.space().toLocal(particles.Sf()[pairi])
+        );
         const vector delta
         (
-            particles.space().toLocal(particles.delta()[pairi])
+            direction*particles.space().toLocal(particles.delta()[pairi])
         );
         const scalar magA = mag(A);
 
@@ -87,10 +97,18 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
         {
             const label i = atOwner ? owner[pairi] : neighbour[pairi];
             const label j = atOwner ? neighbour[pairi] : owner[pairi];
+            if (i >= nParticles)
+            {
+                continue;
+            }
+            if (j >= nParticles)
+            {
+                isOuter.set(i/nLanes);
+            }
             const std::size_t e = std::size_t(row[i]++)*nLanes + i % nLanes;
 
-            neighbour_[e] = j;
-            magSf_[e] = magA;
+            neighbour_[e] = haloExchange::index(particles, j);
+            area_[e] = atOwner != reversed ? magA : -magA;
             gradWeight_[e] = (A & delta)/magSqr(delta);
             for (label d = 0; d < nDims; ++d)
             {
@@ -108,6 +126,10 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
             }
         }
     }
+
+    outerSlices_ = isOuter.sortedToc();
+    isOuter.flip();
+    innerSlices_ = isOuter.sortedToc();
 }
 
 

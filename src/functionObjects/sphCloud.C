@@ -9,6 +9,7 @@ License
 
 #include "sphCloud.H"
 #include "addToRunTimeSelectionTable.H"
+#include "ListListOps.H"
 #include "particleFiles.H"
 #include "particleVtp.H"
 #include "volFields.H"
@@ -25,6 +26,33 @@ namespace SPH
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- The values of all ranks, one rank after another, on the master
+    template<class Type>
+    static Field<Type> gathered(const Field<Type>& values)
+    {
+        if (!Pstream::parRun())
+        {
+            return values;
+        }
+
+        List<Field<Type>> all(Pstream::nProcs());
+        all[Pstream::myProcNo()] = values;
+        Pstream::gatherList(all);
+        return ListListOps::combine<Field<Type>>
+        (
+            all, accessOp<Field<Type>>()
+        );
+    }
+}
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
@@ -37,7 +65,11 @@ void Foam::SPH::sphCloud::addFields(particleVtp& file) const
         if (fields_.empty() || fields_.match(name))
         {
             const auto& field = mesh_.lookupObject<fieldType>(name);
-            file.add(name, field.primitiveField());
+            const Field<Type> values(gathered(field.primitiveField()));
+            if (Pstream::master())
+            {
+                file.add(name, values);
+            }
         }
     }
 }
@@ -78,21 +110,25 @@ bool Foam::SPH::sphCloud::execute()
 bool Foam::SPH::sphCloud::write()
 {
     const Time& time = mesh_.time();
-    if (Pstream::parRun() || !particleFiles(time).found())
+    if (!particleFiles(time).found())
     {
         return true;
     }
 
-    const fileName folder(time.path()/"postProcessing"/name());
+    const fileName folder(time.globalPath()/"postProcessing"/name());
     const fileName file(name() + "_" + time.timeName() + ".vtp");
 
     particleVtp particles(folder/file);
     addFields<scalar>(particles);
     addFields<vector>(particles);
-    particles.write(mesh_.cellCentres());
 
-    series_.append(time.value(), file);
-    series_.write(folder/name() + ".vtp");
+    const pointField points(gathered(mesh_.cellCentres()));
+    if (Pstream::master())
+    {
+        particles.write(points);
+        series_.append(time.value(), file);
+        series_.write(folder/name() + ".vtp");
+    }
 
     return true;
 }

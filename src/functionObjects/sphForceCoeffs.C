@@ -126,7 +126,7 @@ bool Foam::SPH::sphForceCoeffs::execute()
         << ", viscous " << viscousForce_.x()/(Aref_*pDyn)
         << ")  Cl " << force.z() << endl;
 
-    if (writeToFile())
+    if (writeToFile() && Pstream::master())
     {
         if (!coefficientFile_.valid())
         {

@@ -116,6 +116,12 @@ bool Foam::SPH::sphForces::integrate()
         }
     }
 
+    for (const int k : {0, 1})
+    {
+        reduce(force[k], sumOp<vector>());
+        reduce(moment[k], sumOp<vector>());
+    }
+
     pressureForce_ = axes_->localVector(force[0]);
     viscousForce_ = axes_->localVector(force[1]);
     pressureMoment_ = axes_->localVector(moment[0]);
@@ -135,7 +141,7 @@ void Foam::SPH::sphForces::writeLine
     autoPtr<OFstream>& file
 )
 {
-    if (!writeToFile())
+    if (!writeToFile() || !Pstream::master())
     {
         return;
     }

@@ -80,27 +80,35 @@ bool Foam::SPH::sphMonitor::execute()
 {
     const auto* solver = mesh_.findObject<flowSolver>(flowSolver::typeName);
 
-    if (!solver || !writeToFile())
+    if (!solver)
     {
         return true;
     }
 
+    const conservationLaw& law = solver->law();
+    scalarField totals(law.nVariables());
+    List<scalarMinMax> ranges(totals.size());
+    forAll(totals, v)
+    {
+        totals[v] = gSum((solver->particles().V()*law.conserved(v))());
+        ranges[v] = gMinMax(law.primitive(v)());
+    }
+
+    if (!writeToFile() || !Pstream::master())
+    {
+        return true;
+    }
     if (!totalsFile_.valid())
     {
         createFiles(*solver);
     }
 
-    const conservationLaw& law = solver->law();
-
     totalsFile_() << mesh_.time().timeName();
     rangeFile_() << mesh_.time().timeName();
-    for (label v = 0; v < law.nVariables(); ++v)
+    forAll(totals, v)
     {
-        const scalarField primitive(law.primitive(v));
-
-        totalsFile_()
-            << tab << sum(solver->particles().V()*law.conserved(v));
-        rangeFile_() << tab << min(primitive) << tab << max(primitive);
+        totalsFile_() << tab << totals[v];
+        rangeFile_() << tab << ranges[v].min() << tab << ranges[v].max();
     }
     totalsFile_() << endl;
     rangeFile_() << endl;

@@ -52,6 +52,46 @@ Foam::word Foam::SPH::particleResults::timeName
 }
 
 
+void Foam::SPH::particleResults::requireWhole() const
+{
+    const fileName path(time_->path());
+    const scalar latest = times().last().value();
+
+    for (const fileName& name : readDir(path, fileName::DIRECTORY))
+    {
+        if (!name.starts_with("processor"))
+        {
+            continue;
+        }
+
+        DynamicList<instant> parts;
+        for (const instant& t : Time::findTimes(path/name))
+        {
+            if (t.name() != time_->constant())
+            {
+                parts.append(t);
+            }
+        }
+        if (parts.empty() || parts.last().value() <= latest)
+        {
+            continue;
+        }
+
+        OStringStream os;
+        os  << "Time " << parts.last().name() << " is in " << path/name
+            << ", but not in " << path << ". Put the results of the parallel"
+            << " run together with 'reconstructPar -case " << path.name()
+            << "'";
+        if (latest <= parts.first().value())
+        {
+            FatalErrorInFunction << os.str().c_str() << exit(FatalError);
+        }
+        WarningInFunction << os.str().c_str() << endl;
+        return;
+    }
+}
+
+
 Foam::IOobjectList Foam::SPH::particleResults::fields
 (
     const instant& time

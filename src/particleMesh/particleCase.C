@@ -66,27 +66,6 @@ namespace SPH
         }
     }
 
-    //- Arrays that the geometry of the polyMesh gives only nearly
-    static void writeInexact
-    (
-        const particleFiles& files,
-        const polyMesh& mesh,
-        const particleMeshData& data
-    )
-    {
-        constexpr scalar exact = 1e-9;
-
-        if (max(mag(mesh.cellCentres() - data.points)/data.spacing)
-          > exact)
-        {
-            files.writeArray<vectorIOField>("points", data.points);
-        }
-        if (max(mag(mesh.cellVolumes()/data.V - 1)) > exact)
-        {
-            files.writeArray<scalarIOField>("V", data.V);
-        }
-    }
-
     //- Folders of times, but for the start
     static fileNameList resultFolders
     (
@@ -304,7 +283,12 @@ void Foam::SPH::particleCase::writeMesh
     const particleFiles files(*timePtr_, newFolder);
     files.writeArray<scalarIOField>("spacing", data.spacing);
     files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
-    writeInexact(files, *meshPtr, data);
+
+    // The polyMesh gives these but for round-off that depends on how it is
+    // decomposed
+    files.writeArray<vectorIOField>("points", data.points);
+    files.writeArray<scalarIOField>("V", data.V);
+
     if (solids.size())
     {
         writeSolidParticles(files, solids);

@@ -85,10 +85,19 @@ Foam::dictionary Foam::SPH::particleFiles::properties() const
 
 void Foam::SPH::particleFiles::requireCurrent() const
 {
-    if (!found())
+    // The whole case; its messages come from the master alone
+    const fileName path(time_.globalPath());
+    const bool isFound = found();
+    const dictionary was(properties().subOrEmptyDict("source"));
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    if (!isFound)
     {
         FatalErrorInFunction
-            << "The case " << time_.path() << " is no particle case: it has no"
+            << "The case " << path << " is no particle case: it has no"
             << " constant/" << folder << "/sphMeshProperties." << nl
             << "    In the FVM case, generate the particles with 'sphMesh' and"
             << " run the solver with '-case sph'." << nl
@@ -96,8 +105,7 @@ void Foam::SPH::particleFiles::requireCurrent() const
             << " -cells" << exit(FatalError);
     }
 
-    const dictionary was(properties().subOrEmptyDict("source"));
-    const dictionary is(sourceDigests(time_.path().path()));
+    const dictionary is(sourceDigests(path.path()));
 
     for (const entry& e : is)
     {
@@ -105,9 +113,9 @@ void Foam::SPH::particleFiles::requireCurrent() const
         if (was.found(file) && was.get<word>(file) != is.get<word>(file))
         {
             FatalErrorInFunction
-                << "The particles in " << time_.path()
+                << "The particles in " << path
                 << " are older than " << file << " of the FVM case "
-                << time_.path().path() << ": run sphMesh there"
+                << path.path() << ": run sphMesh there"
                 << exit(FatalError);
         }
     }

@@ -14,9 +14,10 @@ License
 
 void Foam::SPH::particleMesh::check() const
 {
+    // A rank may have none
     const auto positive = [&](const scalarField& values, const char* name)
     {
-        if (values.empty() || !(min(values) > 0) || !(max(values) < GREAT))
+        if (!(min(values) > 0) || !(max(values) < GREAT))
         {
             FatalErrorInFunction
                 << "The " << name << " of the particles in "

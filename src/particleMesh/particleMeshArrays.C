@@ -12,9 +12,11 @@ Description
 
 #include "particleMesh.H"
 #include "cellSpacing.H"
+#include "cutPairs.H"
 #include "particleFiles.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
 #include "scalarIOField.H"
 #include "vectorIOField.H"
 
@@ -27,11 +29,20 @@ namespace SPH
     //- Least distance of a particle to its boundary face over the spacing
     static const scalar smallestDistance = 0.05;
 
+    template<class List>
+    static void sortBy(List& values, const labelUList& order)
+    {
+        values =
+            List(UIndirectList<typename List::value_type>(values, order));
+    }
+
     //- Pairs i, j with the vectors from both centres to the face's centre
     class pairAppender
     {
         particleMeshData& data_;
         const bool twoD_[3];
+        labelList face_;
+        boolList reversed_;
         label nPairs_ = 0;
 
     public:
@@ -49,7 +60,9 @@ namespace SPH
                 space.identity().xx() < 0.5,
                 space.identity().yy() < 0.5,
                 space.identity().zz() < 0.5
-            }
+            },
+            face_(nMost),
+            reversed_(nMost, false)
         {
             data_.owner.setSize(nMost);
             data_.neighbour.setSize(nMost);
@@ -58,19 +71,38 @@ namespace SPH
             data_.skew.setSize(nMost);
         }
 
-        ~pairAppender()
+        //- The pairs are complete
+        void finish()
         {
             data_.owner.setSize(nPairs_);
             data_.neighbour.setSize(nPairs_);
             data_.Sf.setSize(nPairs_);
             data_.delta.setSize(nPairs_);
             data_.skew.setSize(nPairs_);
+
+            if (Pstream::parRun())
+            {
+                // Every sum over pairs goes in the order of the whole case
+                face_.setSize(nPairs_);
+                reversed_.setSize(nPairs_);
+                const labelList order(sortedOrder(face_));
+                sortBy(data_.owner, order);
+                sortBy(data_.neighbour, order);
+                sortBy(data_.Sf, order);
+                sortBy(data_.delta, order);
+                sortBy(data_.skew, order);
+                sortBy(reversed_, order);
+                data_.reversed = bitSet(reversed_);
+            }
         }
 
+        //- Append a pair whose face has a number in the whole case
         void append
         (
             const label i,
             const label j,
+            const label face,
+            const bool reversed,
             const vector& Sf,
             const vector& fromI,
             const vector& fromJ
@@ -99,6 +131,8 @@ namespace SPH
             data_.Sf[nPairs_] = ordered ? Sf : -Sf;
             data_.delta[nPairs_] = ordered ? delta : -delta;
             data_.skew[nPairs_] = skew;
+            face_[nPairs_] = face;
+            reversed_[nPairs_] = reversed;
             ++nPairs_;
         }
     };
@@ -108,23 +142,39 @@ namespace SPH
     static void readIfStored
     (
         const fvMesh& mesh,
+        const particleDecomposition& division,
         const word& name,
         Field<typename Container::value_type>& values
     )
     {
-        IOobject io(particleFiles(mesh.time()).arrayIO(name));
+        Field<typename Container::value_type> stored;
+        const particleFiles files(mesh.time());
+        const bool found =
+            Pstream::master() && files.readArray<Container>(name, stored);
 
-        if (io.typeHeaderOk<Container>(true))
+        if (found && stored.size() != division.nParticles())
         {
-            const Container stored(io);
-            if (stored.size() != mesh.nCells())
-            {
-                FatalErrorInFunction
-                    << "File " << io.objectPath() << " has " << stored.size()
-                    << " values for " << mesh.nCells() << " particles."
-                    << " Generate the particles anew with sphMesh -overwrite"
-                    << exit(FatalError);
-            }
+            FatalErrorInFunction
+                << "File " << files.arrayPath(name) << " has "
+                << stored.size() << " values for " << division.nParticles()
+                << " particles. Generate the particles anew with sphMesh"
+                << " -overwrite"
+                << (Pstream::parRun() ? ", then decompose them" : "")
+                << exit(FatalError);
+        }
+        if (found && !division.known())
+        {
+            FatalErrorInFunction
+                << "There is no cellProcAddressing or faceProcAddressing of"
+                << " this mesh in "
+                << mesh.time().path()/mesh.facesInstance()
+                  /polyMesh::meshSubDir
+                << ". Divide the particles with 'decomposePar -case sph'"
+                << exit(FatalError);
+        }
+        if (returnReduce(found, orOp<bool>()))
+        {
+            division.distribute(stored);
             values = stored;
         }
     }
@@ -143,13 +193,15 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
     const vectorField& Sf = mesh.faceAreas();
     const pointField& Cf = mesh.faceCentres();
 
+    const particleDecomposition division(mesh);
+
     particleMeshData data;
     data.points = mesh.cellCentres();
     data.V = mesh.cellVolumes();
     data.spacing = cellSpacing(space, mesh);
-    readIfStored<vectorIOField>(mesh, "points", data.points);
-    readIfStored<scalarIOField>(mesh, "V", data.V);
-    readIfStored<scalarIOField>(mesh, "spacing", data.spacing);
+    readIfStored<vectorIOField>(mesh, division, "points", data.points);
+    readIfStored<scalarIOField>(mesh, division, "V", data.V);
+    readIfStored<scalarIOField>(mesh, division, "spacing", data.spacing);
 
     const pointField& C = data.points;
     boundaryFaces& boundary = data.boundary;
@@ -160,7 +212,16 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
     {
         const label i = mesh.faceOwner()[facei];
         const label j = mesh.faceNeighbour()[facei];
-        pairs.append(i, j, Sf[facei], Cf[facei] - C[i], Cf[facei] - C[j]);
+        pairs.append
+        (
+            i,
+            j,
+            division.face(facei),
+            false,
+            Sf[facei],
+            Cf[facei] - C[i],
+            Cf[facei] - C[j]
+        );
     }
 
     DynamicList<label> faces(mesh.nFaces() - mesh.nInternalFaces());
@@ -178,13 +239,19 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
                 (
                     i,
                     j,
+                    division.face(pp.start() + k),
+                    false,
                     Sf[pp.start() + k],
                     Cf[pp.start() + k] - C[i],
                     Cf[other.start() + k] - C[j]
                 );
             }
         }
-        else if (pp.coupled())
+        else if
+        (
+            pp.coupled()
+         && !(Pstream::parRun() && isA<processorPolyPatch>(pp))
+        )
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " of "
@@ -192,7 +259,7 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
                 << " has type " << pp.type() << ", which is not supported."
                 << " Valid coupled patch types: cyclic" << exit(FatalError);
         }
-        else if (!isA<emptyPolyPatch>(pp))
+        else if (!pp.coupled() && !isA<emptyPolyPatch>(pp))
         {
             forAll(pp, k)
             {
@@ -202,6 +269,20 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
         }
         boundary.start[pp.index() + 1] = faces.size();
     }
+
+    if (Pstream::parRun())
+    {
+        const cutPairs cut(mesh, C, division);
+        for (const cutPairs::pair& p : cut.pairs())
+        {
+            pairs.append
+            (
+                p.i, p.j, p.face, p.reversed, p.Sf, p.fromI, p.fromJ
+            );
+        }
+        data.halo = cut.halo();
+    }
+    pairs.finish();
 
     boundary.face.transfer(local);
     boundary.owner = labelList(mesh.faceOwner(), faces);

@@ -68,7 +68,7 @@ void Foam::SPH::boundaryStates::copyPatches(const label patchi)
     {
         velocity = Zero;
     }
-    else if (treatment_[particles_.boundary()[patchi].start()] == slip)
+    else if (patchTreatment_[patchi] == slip)
     {
         const vectorField n(Up.patch().nf());
         velocity = n*(n & Up);
@@ -191,12 +191,12 @@ void Foam::SPH::boundaryStates::info(Ostream& os) const
 
     for (const particlePatch& patch : particles_.boundary())
     {
-        if (patch.size())
+        const label size = patchSize_[patch.index()];
+        if (size)
         {
             os  << "    " << patch.name() << ": "
-                << names[treatment_[patch.start()]] << ", "
-                << patch.size()
-                << (contact(patch.start())
+                << names[patchTreatment_[patch.index()]] << ", " << size
+                << (patch.size() && contact(patch.start())
                     ? " pairs with solid particles"
                     : " boundary faces")
                 << (evaluatedPatches_.found(patch.index())

@@ -67,7 +67,7 @@ bool Foam::SPH::boundaryStates::givesFlux(const label patchi) const
 
 
 Foam::SPH::faceStates::treatment
-Foam::SPH::boundaryStates::patchTreatment
+Foam::SPH::boundaryStates::choose
 (
     const label patchi,
     const bool viscous
@@ -103,12 +103,24 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
 {
     DynamicList<label> evaluated;
 
+    patchTreatment_.setSize(particles_.boundary().size(), open);
+    patchSize_.setSize(particles_.boundary().size(), Zero);
+
     for (const particlePatch& patch : particles_.boundary())
     {
+        // Those between ranks differ from rank to rank
+        if (patch.patch().coupled())
+        {
+            continue;
+        }
+
         const label patchi = patch.index();
         const fvPatchVectorField& Up = U_.boundaryField()[patchi];
-        const treatment type = patchTreatment(patchi, viscous);
+        const treatment type = choose(patchi, viscous);
         const bool reflecting = reflects(type);
+
+        patchTreatment_[patchi] = type;
+        patchSize_[patchi] = returnReduce(patch.size(), sumOp<label>());
 
         if (!reflecting && patch.size() && contact(patch.start()))
         {
@@ -156,7 +168,7 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
 
         SubList<treatment>(treatment_, patch.size(), patch.start()) = type;
 
-        if (evaluate && patch.size())
+        if (evaluate && patchSize_[patchi])
         {
             evaluated.append(patchi);
         }

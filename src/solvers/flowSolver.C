@@ -12,6 +12,7 @@ License
 #include "unsupportedModels.H"
 #include "argList.H"
 
+#include <cstdlib>
 #include <omp.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -36,8 +37,8 @@ bool Foam::SPH::flowSolver::sameState() const
     forAll(given, v)
     {
         const scalarField now(law_->primitive(v));
-        const scalar scale = max(mag(given[v])) + max(mag(now));
-        if (max(mag(now - given[v])) > tolerance*scale)
+        const scalar scale = gMax(mag(given[v])()) + gMax(mag(now)());
+        if (gMax(mag(now - given[v])()) > tolerance*scale)
         {
             return false;
         }
@@ -81,7 +82,8 @@ void Foam::SPH::flowSolver::setStart()
         << "Boundary conditions" << nl;
     faces_->info(Info);
     Info<< nl << "Schemes" << nl
-        << "    threads " << omp_get_max_threads() << nl;
+        << "    ranks " << Pstream::nProcs() << ", threads of each "
+        << omp_get_max_threads() << nl;
     law_->info(Info);
     Info<< endl;
 }
@@ -169,19 +171,8 @@ Foam::SPH::flowSolver::flowSolver
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
-void Foam::SPH::flowSolver::addOptions(int argc, char* argv[])
+void Foam::SPH::flowSolver::addOptions()
 {
-    for (int i = 1; i < argc; ++i)
-    {
-        if (word(argv[i], false) == "-parallel")
-        {
-            FatalErrorInFunction
-                << "This solver runs with threads (OMP_NUM_THREADS) on one"
-                << " machine, not with -parallel. OpenFOAM's own solvers run"
-                << " on a decomposed particle case" << exit(FatalError);
-        }
-    }
-
     argList::addBoolOption
     (
         "cells",
@@ -197,6 +188,12 @@ void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
         particleFiles(mesh.time()).requireCurrent();
     }
     refuseUnsupportedModels(mesh.time());
+
+    // The cores of a machine are the ranks' unless threads are asked for
+    if (Pstream::parRun() && !std::getenv("OMP_NUM_THREADS"))
+    {
+        omp_set_num_threads(1);
+    }
 }
 
 

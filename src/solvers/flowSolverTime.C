@@ -71,6 +71,12 @@ Foam::scalar Foam::SPH::flowSolver::stableDeltaT()
 
 void Foam::SPH::flowSolver::stop(const label i, const scalar dt) const
 {
+    // The rank that has the particle ends the others
+    if (i == -1)
+    {
+        return;
+    }
+
     scalar magSqrU = 0;
     for (label d = 1; d <= loopDims(particles_); ++d)
     {

@@ -31,6 +31,16 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::treatedParticleMesh
         )
     );
 
+    if (treatment == "contact" && Pstream::parRun())
+    {
+        FatalErrorInFunction
+            << schemes.objectPath() << ": boundaryTreatment contact runs on"
+            << " one rank, with threads (OMP_NUM_THREADS), because a particle"
+            << " may take its wall values from a face of another rank. In"
+            << " parallel, choose surfaceVector"
+            << exit(FatalError);
+    }
+
     autoPtr<particleMesh> particles(new particleMesh(mesh));
     if (treatment == "surfaceVector")
     {

@@ -25,7 +25,7 @@ int main(int argc, char *argv[])
     (
         "Eulerian SPH solver for compressible laminar flow"
     );
-    SPH::flowSolver::addOptions(argc, argv);
+    SPH::flowSolver::addOptions();
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"

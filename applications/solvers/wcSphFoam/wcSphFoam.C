@@ -25,7 +25,7 @@ int main(int argc, char *argv[])
     (
         "Weakly compressible Eulerian SPH solver for laminar flow"
     );
-    SPH::flowSolver::addOptions(argc, argv);
+    SPH::flowSolver::addOptions();
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"

@@ -113,6 +113,7 @@ int main(int argc, char *argv[])
     if (isDir(runTime.path()/SPH::particleCase::folder))
     {
         particles.reset(new SPH::particleResults(runTime));
+        particles->requireWhole();
         mapNewFields(runTime, mesh, *particles, reference);
     }
 

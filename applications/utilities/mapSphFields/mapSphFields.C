@@ -49,6 +49,7 @@ int main(int argc, char *argv[])
     args.readListIfPresent("fields", names);
 
     const SPH::particleResults particles(runTime);
+    particles.requireWhole();
     const SPH::particlesToMesh mapper(mesh, particles);
     const instantList times(timeSelector::select(particles.times(), args));
 
