@@ -92,7 +92,8 @@ void Foam::SPH::boundaryStates::correctFlux(const label patchi)
 {
     const fvPatchVectorField& Up = U_.boundaryField()[patchi];
 
-    if (Up.fixesValue())
+    // pressureInletVelocity and its kin have their velocity from phi
+    if (Up.fixesValue() && !Up.type().starts_with("pressure"))
     {
         phi_.boundaryFieldRef()[patchi] == (Up.patch().Sf() & Up);
     }

@@ -166,7 +166,18 @@ Foam::SPH::flowSolver::flowSolver
     nHalved_(0),
     subIndex_(-1),
     longest_(0)
-{}
+{
+    if
+    (
+        runTime.deltaTValue() <= 0
+     && !runTime.controlDict().getOrDefault<Switch>("adjustTimeStep", false)
+    )
+    {
+        FatalIOErrorInFunction(runTime.controlDict())
+            << "deltaT is " << runTime.deltaTValue() << ", but must be above"
+            << " zero, or adjustTimeStep yes" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //

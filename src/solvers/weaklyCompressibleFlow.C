@@ -45,15 +45,27 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
             << exit(FatalIOError);
     }
 
-    const dimensionedScalar nu("nu", dimViscosity, properties);
+    // OpenFOAM aborts on wrong dimensions, and does not name the entry if there
+    // is no number
+    scalar nu = -1;
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        nu = dimensionedScalar("nu", dimViscosity, properties).value();
+    }
+    catch (const IOerror&)
+    {}
+    FatalIOError.throwExceptions(throwing);
 
-    if (nu.value() < 0)
+    if (nu < 0)
     {
         FatalIOErrorInFunction(properties)
-            << "nu is negative: " << nu.value() << exit(FatalIOError);
+            << "Entry nu must be a number that is not negative, with the"
+            << " dimensions " << dimViscosity << " or none"
+            << exit(FatalIOError);
     }
 
-    return nu.value();
+    return nu;
 }
 
 
@@ -213,10 +225,25 @@ void Foam::SPH::weaklyCompressibleFlow::exchangeOuterStates
 
 void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
 {
+    // What follows slowly has inertia, as if the domain were longer: too much
+    // of it where pressure drives the flow
+    bool velocityDrives = false;
+    for (const fvPatchVectorField& Up : U_.boundaryField())
+    {
+        velocityDrives =
+            velocityDrives
+         || (
+                Up.fixesValue()
+             && !Up.type().starts_with("pressure")
+             && gMax(mag(Up & Up.patch().nf())()) > 0
+            );
+    }
+
     const scalar tau = schemes_.getCheckOrDefault<scalar>
     (
         "absorptionTime",
-        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()))
+        (velocityDrives ? 1 : 0.1)
+       *cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()))
        /fluid_.c,
         [](const scalar value) { return value >= 0; }
     );
