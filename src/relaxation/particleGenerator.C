@@ -22,6 +22,8 @@ License
 #include "UIndirectList.H"
 #include "cpuTime.H"
 
+#include <unistd.h>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -224,6 +226,32 @@ Foam::SPH::particleGenerator::particleGenerator
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::SPH::particleGenerator::particleBytes() const
+{
+    // Measured: positions, lists of some 20 or 70 neighbours, areas
+    return space_.nDims() == 3 ? 6200 : 3000;
+}
+
+
+void Foam::SPH::particleGenerator::checkMemory() const
+{
+    const scalar least =
+        domain_.fluidVolume/domain_.volume(spacing_->max())*particleBytes();
+    const scalar memory =
+        scalar(sysconf(_SC_PHYS_PAGES))*sysconf(_SC_PAGE_SIZE);
+
+    if (least > memory)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The spacing " << spacing_->max() << " m gives "
+            << least/particleBytes() << " particles, which need "
+            << label(least/1073741824) << " GiB of memory; this machine has "
+            << label(memory/1073741824) << ". Is the mesh, of bounds "
+            << mesh_.bounds() << ", in metres?" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::SPH::particleGenerator::estimate(Ostream& os) const
 {
     scalar n = 0;
@@ -248,9 +276,7 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
         n = nMoving = cells.nFluidParticles();
     }
 
-    // Per particle: positions, lists of some 20 or 70 neighbours, areas
     const bool is3D = space_.nDims() == 3;
-    const scalar bytes = is3D ? 6200 : 3000;
 
     // Per particle, measured: closing and writing, and the whole relaxation
     const scalar seconds =
@@ -259,7 +285,7 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
     os  << "Particles, about: " << label(round(n)) << nl
         << "Least spacing: " << dp << " m" << nl
         << "Cells of the background grid: " << nCells << nl
-        << "Memory, about: " << label(n*bytes/1048576) + 1 << " MiB" << nl
+        << "Memory, about: " << label(n*particleBytes()/1048576) + 1 << " MiB" << nl
         << "Time on one core, about: " << label(seconds) + 1 << " s" << nl
         << endl;
 }

@@ -189,6 +189,7 @@ void Foam::SPH::flowSolver::addOptions()
         "cells",
         "Take the cells of any mesh as particles and its faces as pairs"
     );
+    argList::addBoolOption("dry-run", "Read and check the case, and stop");
 }
 
 

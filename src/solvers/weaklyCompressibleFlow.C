@@ -10,6 +10,7 @@ License
 #include "weaklyCompressibleFlow.H"
 #include "checkEntries.H"
 #include "linear.H"
+#include "basicSymmetryFvPatchFields.H"
 #include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -162,6 +163,40 @@ Foam::SPH::weaklyCompressibleFlow::readFluid()
     );
 
     return {c, nu, constant ? 0 : 1/sqr(c), damping};
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::checkFluxes() const
+{
+    scalar net = 0;
+    scalar total = 0;
+    for (const fvPatchVectorField& Up : U_.boundaryField())
+    {
+        const label patchi = Up.patch().index();
+        const bool coupledOrEmpty =
+            Up.coupled() || !returnReduce(Up.size(), sumOp<label>());
+        if (coupledOrEmpty || isA<basicSymmetryFvPatchField<vector>>(Up))
+        {
+            continue;
+        }
+        if (p_.boundaryField()[patchi].fixesValue() || !Up.fixesValue())
+        {
+            return;
+        }
+        const scalarField flux(Up & Up.patch().Sf());
+        net += gSum(flux);
+        total += gSum(mag(flux)());
+    }
+
+    constexpr scalar roundOff = 1e-6;
+    if (mag(net) > roundOff*total)
+    {
+        FatalErrorInFunction
+            << "Velocities are given on all boundaries, but " << net
+            << " m^3/s flow out in all, of " << total << " m^3/s through them,"
+            << " and no patch fixes " << p_.name() << ". Check " << U_.name()
+            << " in " << runTime_.timePath() << exit(FatalError);
+    }
 }
 
 
@@ -334,6 +369,8 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
 {
     checkDimensions(U_, dimVelocity);
     checkDimensions(p_, sqr(dimVelocity));
+
+    checkFluxes();
 
     Info<< "Sound speed " << fluid_.c << " m/s, kinematic viscosity "
         << fluid_.nu << " m^2/s" << nl << endl;

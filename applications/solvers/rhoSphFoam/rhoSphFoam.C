@@ -27,14 +27,30 @@ int main(int argc, char *argv[])
     );
     SPH::flowSolver::addOptions();
 
-    #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createMesh.H"
+
+    // Not by createMesh.H: with -dry-run that makes another mesh
+    const fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
 
     SPH::flowSolver::checkCase(args, mesh);
     const autoPtr<SPH::particleMesh> particles(SPH::treatedParticleMesh(mesh));
     SPH::compressibleFlow flow(runTime, *particles);
+
+    if (args.found("dry-run"))
+    {
+        Info<< "The case is complete\n\nEnd\n" << endl;
+        return 0;
+    }
 
     Info<< "Starting time loop\n" << endl;
 

@@ -231,6 +231,7 @@ int main(int argc, char *argv[])
             sph.removeResults();
         }
         sph.requireNoResults();
+        generator.checkMemory();
         generateParticles(mesh, dict, generator, *method, properties, sph);
     }
 
