@@ -35,7 +35,8 @@ Foam::SPH::sphSchemes::sphSchemes(const Time& runTime)
         ({
             "scheme", "fluxScheme", "reconstruction", "limiter", "timeScheme",
             "maxCo", "wallGradient", "boundaryTreatment", "soundSpeed",
-            "soundSpeedRatio", "absorptionTime", "density", "soundDamping"
+            "soundSpeedRatio", "absorptionTime", "density", "soundDamping",
+            "projectStart"
         }),
         objectPath()
     );
@@ -52,6 +53,7 @@ Foam::SPH::sphSchemes::sphSchemes(const Time& runTime)
         setDefault("reconstruction", "none");
         setDefault("timeScheme", "symplecticEuler");
         setDefault("density", "variable");
+        setDefault("projectStart", "no");
     }
 }
 

@@ -9,6 +9,7 @@ License
 
 #include "weaklyCompressibleFlow.H"
 #include "checkEntries.H"
+#include "incompressibleStart.H"
 #include "linear.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "wallFvPatch.H"
@@ -381,6 +382,14 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     );
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
+    if
+    (
+        conservedStart().empty()
+     && schemes_.getOrDefault<Switch>("projectStart", true)
+    )
+    {
+        incompressibleStart(U_, p_);
+    }
     setStart();
     setAbsorption();
 }

@@ -1,0 +1,173 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "incompressibleStart.H"
+#include "fixedValueFvPatchFields.H"
+#include "fvMatrices.H"
+#include "gaussGrad.H"
+#include "gaussLaplacianScheme.H"
+#include "linear.H"
+#include "surfaceFields.H"
+#include "uncorrectedSnGrad.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Sum of fluxes out of each cell
+    static scalarField netFlux(const surfaceScalarField& flux)
+    {
+        const fvMesh& mesh = flux.mesh();
+        scalarField net(mesh.nCells(), Zero);
+
+        forAll(mesh.owner(), facei)
+        {
+            net[mesh.owner()[facei]] += flux[facei];
+            net[mesh.neighbour()[facei]] -= flux[facei];
+        }
+        for (const fvPatch& patch : mesh.boundary())
+        {
+            const scalarField& patchFlux = flux.boundaryField()[patch.index()];
+            forAll(patchFlux, k)
+            {
+                net[patch.faceCells()[k]] += patchFlux[k];
+            }
+        }
+        return net;
+    }
+
+    //- Solve laplacian(field) = div(flux)
+    static void solvePoisson
+    (
+        volScalarField& field,
+        const surfaceScalarField& flux
+    )
+    {
+        const fvMesh& mesh = field.mesh();
+        const surfaceScalarField one
+        (
+            IOobject("one", mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar("one", dimless, 1)
+        );
+
+        // Schemes by hand: those of the case have no names for these terms
+        fvScalarMatrix matrix
+        (
+            fv::gaussLaplacianScheme<scalar, scalar>
+            (
+                mesh,
+                tmp<surfaceInterpolationScheme<scalar>>
+                (
+                    new linear<scalar>(mesh)
+                ),
+                tmp<fv::snGradScheme<scalar>>
+                (
+                    new fv::uncorrectedSnGrad<scalar>(mesh)
+                )
+            ).fvmLaplacian(one, field)
+        );
+        matrix.source() += netFlux(flux);
+        if (field.needReference())
+        {
+            matrix.setReference(0, field[0]);
+        }
+
+        IStringStream controls
+        (
+            "solver PCG; preconditioner DIC; tolerance 0; relTol 1e-12;"
+        );
+        matrix.solve(dictionary(controls));
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
+{
+    const fvMesh& mesh = U.mesh();
+
+    wordList types
+    (
+        p.boundaryField().size(),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(types, patchi)
+    {
+        if (p.boundaryField()[patchi].fixesValue())
+        {
+            types[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    volScalarField Phi
+    (
+        IOobject("Phi", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimArea/dimTime, Zero),
+        types
+    );
+
+    solvePoisson
+    (
+        Phi, surfaceScalarField(linearInterpolate(U) & mesh.Sf())
+    );
+    U.primitiveFieldRef() -=
+        fv::gaussGrad<scalar>::gradf(linearInterpolate(Phi), "grad(Phi)")()
+       .primitiveField();
+    U.correctBoundaryConditions();
+
+    const scalarMinMax range(gMinMax(p.primitiveField()));
+    if (range.min() < range.max())
+    {
+        return;
+    }
+
+    // Convection; through patches that do not fix p its flux has no normal
+    // part, as their pressure has no normal gradient
+    const surfaceVectorField face(linearInterpolate(U));
+    const surfaceVectorField momentum((face & mesh.Sf())*face);
+    volVectorField convection
+    (
+        IOobject("convection", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    );
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        convection.primitiveFieldRef().replace
+        (
+            cmpt, netFlux(momentum.component(cmpt)())/mesh.V().field()
+        );
+    }
+    convection.correctBoundaryConditions();
+
+    surfaceScalarField force(-(linearInterpolate(convection) & mesh.Sf()));
+    forAll(types, patchi)
+    {
+        if
+        (
+            !mesh.boundary()[patchi].coupled()
+         && types[patchi] == zeroGradientFvPatchScalarField::typeName
+        )
+        {
+            force.boundaryFieldRef()[patchi] = Zero;
+        }
+    }
+    solvePoisson(p, force);
+    p.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //
