@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "consistentClosure.H"
+#include "borderPatch.H"
 #include "mirroredFaces.H"
 #include "momentClosure.H"
 #include "pairLaplacian.H"
@@ -41,6 +42,27 @@ namespace SPH
 
     //- Reduction of the residual between renormalisations, which spoil it
     static const scalar sweepTolerance = 1e-3;
+
+    //- Are boundary faces on the border, where the first moments of their parts
+    //- are those of FVM
+    static boolList fixedFaces
+    (
+        const fvMesh& mesh,
+        const boundaryFaces& boundary
+    )
+    {
+        boolList fixed(boundary.owner.size(), false);
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            const label start = boundary.start[pp.index()];
+            const label end = boundary.start[pp.index() + 1];
+            for (label s = start; isBorder(pp) && s < end; ++s)
+            {
+                fixed[s] = true;
+            }
+        }
+        return fixed;
+    }
 }
 }
 
@@ -51,6 +73,7 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
 :
     order_(dict.lookupOrDefault<label>("order", 1)),
     nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
+    leastShare_(dict.lookupOrDefault<scalar>("leastShare", 1e-3)),
     consistentVolumes_(true),
     tolerance_(dict.lookupOrDefault<scalar>("tolerance", 5e-14)),
     maxIterations_(dict.lookupOrDefault<label>("maxIterations", 20000))
@@ -59,6 +82,12 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "order " << order_ << " is not known. Valid choices: 0 or 1"
+            << exit(FatalIOError);
+    }
+    if (leastShare_ < 0 || leastShare_ > 0.5)
+    {
+        FatalIOErrorInFunction(dict)
+            << "leastShare " << leastShare_ << " is outside the range 0 to 0.5"
             << exit(FatalIOError);
     }
 
@@ -283,7 +312,7 @@ void Foam::SPH::consistentClosure::close
     particleMeshData& data
 ) const
 {
-    data.boundary = mirroredFaces(mesh, space, W, data);
+    data.boundary = mirroredFaces(mesh, space, W, leastShare_, data);
 
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
 
@@ -310,6 +339,7 @@ void Foam::SPH::consistentClosure::close
         (
             space,
             graph,
+            fixedFaces(mesh, data.boundary),
             tolerance*min(data.spacing),
             maxIterations_,
             data

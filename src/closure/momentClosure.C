@@ -17,6 +17,7 @@ void Foam::SPH::closeMoments
 (
     const solutionSpace& space,
     const pairGraph& graph,
+    const boolList& fixed,
     const scalar tolerance,
     const label maxIterations,
     particleMeshData& data
@@ -44,7 +45,10 @@ void Foam::SPH::closeMoments
     {
         const scalar a = mag(data.boundary.Sf[s]);
         const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
-        boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+        if (!fixed[s])
+        {
+            boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+        }
     }
     diagonal = boundaryBlock;
     forAll(area, pairi)
@@ -182,7 +186,7 @@ void Foam::SPH::closeMoments
         eta,
         d,
         d,
-        data.boundary.owner.empty(),
+        !fixed.found(false),
         tolerance,
         maxIterations
     ).log("closing moments", tolerance);
@@ -204,6 +208,10 @@ void Foam::SPH::closeMoments
     }
     forAll(data.boundary.owner, s)
     {
+        if (fixed[s])
+        {
+            continue;
+        }
         const vector& Sf = data.boundary.Sf[s];
         const vector m(space.toLocal(Sf)/max(mag(Sf), VSMALL));
         const scalar* ei = &eta[data.boundary.owner[s]*width];
