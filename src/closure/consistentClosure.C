@@ -14,6 +14,7 @@ License
 #include "pairLaplacian.H"
 #include "particleMoments.H"
 #include "periodicImages.H"
+#include "torqueClosure.H"
 #include "addToRunTimeSelectionTable.H"
 #include "compensatedSum.H"
 #include "scalarMatrices.H"
@@ -335,11 +336,16 @@ void Foam::SPH::consistentClosure::close
     }
     if (order_ == 1)
     {
+        const boolList fixed(fixedFaces(mesh, data.boundary));
+        if (fixed.found(true) && periodicTranslations(mesh).empty())
+        {
+            closeTorques(space, graph, tolerance, maxIterations_, data);
+        }
         closeMoments
         (
             space,
             graph,
-            fixedFaces(mesh, data.boundary),
+            fixed,
             tolerance*min(data.spacing),
             maxIterations_,
             data
