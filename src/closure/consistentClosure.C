@@ -64,6 +64,41 @@ namespace SPH
         }
         return fixed;
     }
+
+    //- FatalError if a part of a zone has too few particles to be closed
+    static void checkBorder
+    (
+        const pairGraph& graph,
+        const boolList& fixed,
+        const particleMeshData& data
+    )
+    {
+        constexpr scalar farthest = 2;
+
+        const labelList sets(graph.connectedSets());
+        labelList number(data.points.size(), Zero);
+        for (const label seti : sets)
+        {
+            ++number[seti];
+        }
+
+        forAll(fixed, s)
+        {
+            const label i = data.boundary.owner[s];
+            const point& Cf = data.boundary.Cf[s];
+            const bool far =
+                mag(Cf - data.points[i]) > farthest*data.spacing[i];
+
+            if (fixed[s] && (far || number[sets[i]] < 2))
+            {
+                FatalErrorInFunction
+                    << "zone: its part at " << Cf << " is smaller than two"
+                    << " particles of spacing " << data.spacing[i]
+                    << ". Make it larger or leave it out, or set a smaller"
+                    << " spacing" << exit(FatalError);
+            }
+        }
+    }
 }
 }
 
@@ -316,6 +351,11 @@ void Foam::SPH::consistentClosure::close
     data.boundary = mirroredFaces(mesh, space, W, leastShare_, data);
 
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
+    const boolList fixed(fixedFaces(mesh, data.boundary));
+    if (fixed.found(true))
+    {
+        checkBorder(graph, fixed, data);
+    }
 
     const scalar tolerance = areaTolerance(space, data);
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
@@ -336,7 +376,6 @@ void Foam::SPH::consistentClosure::close
     }
     if (order_ == 1)
     {
-        const boolList fixed(fixedFaces(mesh, data.boundary));
         if (fixed.found(true) && periodicTranslations(mesh).empty())
         {
             closeTorques(space, graph, tolerance, maxIterations_, data);
