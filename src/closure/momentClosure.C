@@ -306,14 +306,11 @@ void Foam::SPH::closeMoments
     {
         data.skew.clear();
         data.boundary.Cf = Cf;
+        boolList none(fixed);
+        none = false;
         taken = moveFaceCentres
         (
-            space,
-            graph,
-            boolList(fixed.size(), false),
-            tolerance,
-            maxIterations,
-            data
+            space, graph, none, tolerance, maxIterations, data
         );
         forAll(fixed, s)
         {

@@ -173,8 +173,9 @@ void Foam::SPH::hybridPolyMesh::addInnerFaces()
 void Foam::SPH::hybridPolyMesh::addPatches()
 {
     const label nFvm = fvm_.boundaryMesh().size();
+    const label nPatches = particles_.patches().size();
 
-    for (label patchi = 0; patchi < label(particles_.patches().size()); ++patchi)
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         if (patchi == zone_.borderPatch())
         {

@@ -66,9 +66,6 @@ public:
 
     particleCase sph;
 
-    //- Are the first moments of the particles exact
-    bool thin = false;
-
     zoneCase(const testCase::layout& layout, const std::string& text)
     :
         files(layout),
@@ -112,7 +109,8 @@ public:
 };
 
 
-//- The layouts: square, skewed (no right angles, graded), hole, cube
+//- The layouts: square, skewed (no right angles, graded), hole, channel
+//  (periodic in x), cube
 testCase::layout layoutOf(const std::string& name)
 {
     testCase::layout layout;
@@ -130,6 +128,10 @@ testCase::layout layoutOf(const std::string& name)
     else if (name == "hole")
     {
         layout.hole = boundBox(point(0.4, 0.4, -1), point(0.6, 0.6, 1));
+    }
+    else if (name == "channel")
+    {
+        layout.periodic[0] = true;
     }
     else if (name == "cube")
     {
@@ -181,6 +183,15 @@ const zoneParameter zoneParameters[] =
         " action subtract;}}"
     },
     {"cells", "hole", "{type boxToCell; box (0.7 -1 -1) (2 2 2);}"},
+    {
+        "inChannel", "channel",
+        "{type boxToCell; box (0.2 0.3 -1) (0.8 0.7 2);}"
+    },
+    {
+        "acrossChannel", "channel",
+        "{type boxToCell; box (-1 0.3 -1) (2 0.8 2);}"
+    },
+    {"cutBody", "hole", "{type boxToCell; box (0.5 0.1 -1) (0.9 0.9 2);}"},
     {"strip", "square", "{type boxToCell; box (0.5 -1 -1) (0.57 2 2);}"},
     {"cube", "cube", "{type boxToCell; box (0.2 0.2 0.2) (0.8 0.8 2);}"}
 };
