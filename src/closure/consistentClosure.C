@@ -109,7 +109,6 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
 :
     order_(dict.lookupOrDefault<label>("order", 1)),
     nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
-    leastShare_(dict.lookupOrDefault<scalar>("leastShare", 1e-3)),
     consistentVolumes_(true),
     tolerance_(dict.lookupOrDefault<scalar>("tolerance", 5e-14)),
     maxIterations_(dict.lookupOrDefault<label>("maxIterations", 20000))
@@ -118,12 +117,6 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "order " << order_ << " is not known. Valid choices: 0 or 1"
-            << exit(FatalIOError);
-    }
-    if (leastShare_ < 0 || leastShare_ > 0.5)
-    {
-        FatalIOErrorInFunction(dict)
-            << "leastShare " << leastShare_ << " is outside the range 0 to 0.5"
             << exit(FatalIOError);
     }
 
@@ -348,7 +341,7 @@ void Foam::SPH::consistentClosure::close
     particleMeshData& data
 ) const
 {
-    data.boundary = mirroredFaces(mesh, space, W, leastShare_, data);
+    data.boundary = mirroredFaces(mesh, space, W, data);
 
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
     const boolList fixed(fixedFaces(mesh, data.boundary));

@@ -25,6 +25,9 @@ namespace SPH
     //- Shares below this fraction of an element's largest are not worth a face
     static const scalar smallestShare = 0.02;
 
+    //- Parts of a border face below this fraction of it go to its other parts
+    static const scalar smallestPart = 1e-3;
+
     //- Least distance of a particle to its boundary face over the spacing
     static const scalar smallestDistance = 0.05;
 
@@ -282,7 +285,6 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
     const fvMesh& mesh,
     const solutionSpace& space,
     const kernel& W,
-    const scalar leastShare,
     const particleMeshData& data
 )
 {
@@ -358,7 +360,7 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
             const vector& faceArea = mesh.faceAreas()[pp.start() + facei];
             if (isBorder(pp))
             {
-                mergeSlivers(leastShare*mag(faceArea), parts);
+                mergeSlivers(smallestPart*mag(faceArea), parts);
                 fitToFace(faceArea, pp.faceCentres()[facei], parts);
             }
 
