@@ -9,6 +9,7 @@ License
 
 #include "zoneCells.H"
 #include "cellSet.H"
+#include "checkEntries.H"
 #include "topoSetCellSource.H"
 #include "wordRes.H"
 
@@ -67,14 +68,10 @@ namespace SPH
         boolList& chosen
     )
     {
-        const wordList valid({"add", "subset", "subtract"});
-        const word action(dict.getOrDefault<word>("action", "add"));
-        if (!valid.found(action))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown action " << action << nl << nl
-                << "Valid actions:" << nl << valid << exit(FatalIOError);
-        }
+        const word action
+        (
+            checkedWord(dict, "action", "add", {"add", "subset", "subtract"})
+        );
 
         forAll(chosen, celli)
         {
