@@ -8,11 +8,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "consistentClosure.H"
+#include "borderPatch.H"
 #include "mirroredFaces.H"
 #include "momentClosure.H"
 #include "pairLaplacian.H"
 #include "particleMoments.H"
 #include "periodicImages.H"
+#include "torqueClosure.H"
 #include "addToRunTimeSelectionTable.H"
 #include "compensatedSum.H"
 #include "scalarMatrices.H"
@@ -41,6 +43,62 @@ namespace SPH
 
     //- Reduction of the residual between renormalisations, which spoil it
     static const scalar sweepTolerance = 1e-3;
+
+    //- Are boundary faces on the border, where the first moments of their parts
+    //- are those of FVM
+    static boolList fixedFaces
+    (
+        const fvMesh& mesh,
+        const boundaryFaces& boundary
+    )
+    {
+        boolList fixed(boundary.owner.size(), false);
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            const label start = boundary.start[pp.index()];
+            const label end = boundary.start[pp.index() + 1];
+            for (label s = start; isBorder(pp) && s < end; ++s)
+            {
+                fixed[s] = true;
+            }
+        }
+        return fixed;
+    }
+
+    //- FatalError if a part of a zone has too few particles to be closed
+    static void checkBorder
+    (
+        const pairGraph& graph,
+        const boolList& fixed,
+        const particleMeshData& data
+    )
+    {
+        constexpr scalar farthest = 2;
+
+        const labelList sets(graph.connectedSets());
+        labelList number(data.points.size(), Zero);
+        for (const label seti : sets)
+        {
+            ++number[seti];
+        }
+
+        forAll(fixed, s)
+        {
+            const label i = data.boundary.owner[s];
+            const point& Cf = data.boundary.Cf[s];
+            const bool far =
+                mag(Cf - data.points[i]) > farthest*data.spacing[i];
+
+            if (fixed[s] && (far || number[sets[i]] < 2))
+            {
+                FatalErrorInFunction
+                    << "zone: its part at " << Cf << " is smaller than two"
+                    << " particles of spacing " << data.spacing[i]
+                    << ". Make it larger or leave it out, or set a smaller"
+                    << " spacing" << exit(FatalError);
+            }
+        }
+    }
 }
 }
 
@@ -286,6 +344,11 @@ void Foam::SPH::consistentClosure::close
     data.boundary = mirroredFaces(mesh, space, W, data);
 
     const pairGraph graph(data.points.size(), data.owner, data.neighbour);
+    const boolList fixed(fixedFaces(mesh, data.boundary));
+    if (fixed.found(true))
+    {
+        checkBorder(graph, fixed, data);
+    }
 
     const scalar tolerance = areaTolerance(space, data);
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
@@ -306,10 +369,15 @@ void Foam::SPH::consistentClosure::close
     }
     if (order_ == 1)
     {
+        if (fixed.found(true) && periodicTranslations(mesh).empty())
+        {
+            closeTorques(space, graph, tolerance, maxIterations_, data);
+        }
         closeMoments
         (
             space,
             graph,
+            fixed,
             tolerance*min(data.spacing),
             maxIterations_,
             data

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mirroredFaces.H"
+#include "borderPatch.H"
 #include "boundaryElements.H"
 #include "cellGrid.H"
 #include "kernelShapes.H"
@@ -23,6 +24,9 @@ namespace SPH
 {
     //- Shares below this fraction of an element's largest are not worth a face
     static const scalar smallestShare = 0.02;
+
+    //- Parts of a border face below this fraction of it go to its other parts
+    static const scalar smallestPart = 1e-3;
 
     //- Least distance of a particle to its boundary face over the spacing
     static const scalar smallestDistance = 0.05;
@@ -204,6 +208,72 @@ namespace SPH
             found->moment += mag(Sf)*element.centre;
         }
     }
+
+    //- Give the parts with less than a share of the area to their neighbours
+    static void mergeSlivers
+    (
+        const scalar leastArea,
+        std::vector<part>& parts
+    )
+    {
+        const auto smaller =
+            [](const part& a, const part& b) { return a.area < b.area; };
+
+        while (parts.size() > 1)
+        {
+            const auto sliver =
+                std::min_element(parts.begin(), parts.end(), smaller);
+            if (sliver->area >= leastArea)
+            {
+                break;
+            }
+            const part lost(*sliver);
+            parts.erase(sliver);
+
+            const point centre(lost.moment/lost.area);
+            part& next = *std::min_element
+            (
+                parts.begin(),
+                parts.end(),
+                [&](const part& a, const part& b)
+                {
+                    return
+                        magSqr(a.moment/a.area - centre)
+                      < magSqr(b.moment/b.area - centre);
+                }
+            );
+            next.Sf += lost.Sf;
+            next.area += lost.area;
+            next.moment += lost.moment;
+        }
+    }
+
+    //- Parts along the area vector of their face, in its plane, with its first
+    //- moment: all of the face that the cell beyond the border knows
+    static void fitToFace
+    (
+        const vector& Sf,
+        const point& Cf,
+        std::vector<part>& parts
+    )
+    {
+        const scalar area = mag(Sf);
+        const vector n(Sf/area);
+
+        point mean(Zero);
+        for (part& p : parts)
+        {
+            const vector r(p.moment/p.area - Cf);
+            p.area = p.Sf & n;
+            p.Sf = p.area*n;
+            p.moment = Cf + r - (r & n)*n;
+            mean += p.area/area*p.moment;
+        }
+        for (part& p : parts)
+        {
+            p.moment = p.area*(p.moment + Cf - mean);
+        }
+    }
 }
 }
 
@@ -287,8 +357,15 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
                 addParts(elements[e], shares[e], parts);
             }
 
+            const vector& faceArea = mesh.faceAreas()[pp.start() + facei];
+            if (isBorder(pp))
+            {
+                mergeSlivers(smallestPart*mag(faceArea), parts);
+                fitToFace(faceArea, pp.faceCentres()[facei], parts);
+            }
+
             // Round-off of the sum goes to the largest part
-            vector missing(mesh.faceAreas()[pp.start() + facei]);
+            vector missing(faceArea);
             auto largest = parts.begin();
             for (auto p = parts.begin(); p != parts.end(); ++p)
             {

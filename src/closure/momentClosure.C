@@ -11,12 +11,56 @@ License
 #include "pairMultigrid.H"
 #include "particleMoments.H"
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-void Foam::SPH::closeMoments
+namespace Foam
+{
+namespace SPH
+{
+    //- Move face centres least for the first moments
+    static pairGraph::performance moveFaceCentres
+    (
+        const solutionSpace& space,
+        const pairGraph& graph,
+        const boolList& fixed,
+        const scalar tolerance,
+        const label maxIterations,
+        particleMeshData& data
+    );
+
+    //- Largest shift of a face times its area over the volume of a particle
+    static scalar largestMomentShift(const particleMeshData& data)
+    {
+        scalar largest = 0;
+        forAll(data.skew, pairi)
+        {
+            const scalar V =
+                min(data.V[data.owner[pairi]], data.V[data.neighbour[pairi]]);
+            largest =
+                max(largest, mag(data.skew[pairi])*mag(data.Sf[pairi])/V);
+        }
+        return largest;
+    }
+
+    //- Largest defect of a first moment over the volume
+    static scalar largestDefect
+    (
+        const solutionSpace& space,
+        const particleMeshData& data
+    )
+    {
+        const tensorField moments(firstMoments(data));
+        return max(mag(moments/data.V - space.identity())());
+    }
+}
+}
+
+
+Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
 (
     const solutionSpace& space,
     const pairGraph& graph,
+    const boolList& fixed,
     const scalar tolerance,
     const label maxIterations,
     particleMeshData& data
@@ -44,7 +88,10 @@ void Foam::SPH::closeMoments
     {
         const scalar a = mag(data.boundary.Sf[s]);
         const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
-        boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+        if (!fixed[s])
+        {
+            boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+        }
     }
     diagonal = boundaryBlock;
     forAll(area, pairi)
@@ -171,7 +218,7 @@ void Foam::SPH::closeMoments
     );
 
     scalarField eta(n*width, Zero);
-    graph.solve
+    const pairGraph::performance taken = graph.solve
     (
         A,
         [&](const scalarField& r, scalarField& z)
@@ -182,10 +229,10 @@ void Foam::SPH::closeMoments
         eta,
         d,
         d,
-        data.boundary.owner.empty(),
+        !fixed.found(false),
         tolerance,
         maxIterations
-    ).log("closing moments", tolerance);
+    );
 
     data.skew.setSize(nPairs);
     forAll(data.skew, pairi)
@@ -204,6 +251,10 @@ void Foam::SPH::closeMoments
     }
     forAll(data.boundary.owner, s)
     {
+        if (fixed[s])
+        {
+            continue;
+        }
         const vector& Sf = data.boundary.Sf[s];
         const vector m(space.toLocal(Sf)/max(mag(Sf), VSMALL));
         const scalar* ei = &eta[data.boundary.owner[s]*width];
@@ -218,6 +269,61 @@ void Foam::SPH::closeMoments
         data.boundary.Cf[s] += space.toGlobal(shift);
     }
 
+    return taken;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::closeMoments
+(
+    const solutionSpace& space,
+    const pairGraph& graph,
+    const boolList& fixed,
+    const scalar tolerance,
+    const label maxIterations,
+    particleMeshData& data
+)
+{
+    // Where a zone is one or two particles thick its pairs cannot bear what
+    // its fixed faces leave
+    constexpr scalar mostShift = 0.6;
+
+    const pointField Cf(data.boundary.Cf);
+    pairGraph::performance taken = moveFaceCentres
+    (
+        space, graph, fixed, tolerance, maxIterations, data
+    );
+
+    if
+    (
+        fixed.found(true)
+     && (
+            !(taken.residual <= 10*tolerance)
+         || largestMomentShift(data) > mostShift
+        )
+    )
+    {
+        data.skew.clear();
+        data.boundary.Cf = Cf;
+        boolList none(fixed);
+        none = false;
+        taken = moveFaceCentres
+        (
+            space, graph, none, tolerance, maxIterations, data
+        );
+        forAll(fixed, s)
+        {
+            if (fixed[s])
+            {
+                data.boundary.Cf[s] = Cf[s];
+            }
+        }
+        Info<< "    zone too thin for exact first moments; largest defect over"
+            << " a volume: " << largestDefect(space, data) << endl;
+    }
+    taken.log("closing moments", tolerance);
+
     scalar largest = 0;
     forAll(data.skew, pairi)
     {
@@ -230,5 +336,6 @@ void Foam::SPH::closeMoments
     Info<< "    largest shift of a face centre over its pair's length: "
         << largest << endl;
 }
+
 
 // ************************************************************************* //

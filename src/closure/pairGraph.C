@@ -9,6 +9,7 @@ License
 
 #include "pairGraph.H"
 #include "blockVectors.H"
+#include "DynamicList.H"
 #include "messageStream.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -65,6 +66,40 @@ void Foam::SPH::pairGraph::performance::log
             << what << " did not converge: see the residuals of checkSphMesh"
             << endl;
     }
+}
+
+
+Foam::labelList Foam::SPH::pairGraph::connectedSets() const
+{
+    labelList sets(nParticles_, -1);
+    label nSets = 0;
+    DynamicList<label> reached;
+    forAll(sets, first)
+    {
+        if (sets[first] >= 0)
+        {
+            continue;
+        }
+        sets[first] = nSets;
+        reached.append(first);
+        while (reached.size())
+        {
+            forLinks
+            (
+                reached.remove(),
+                [&](const label j, const label)
+                {
+                    if (sets[j] < 0)
+                    {
+                        sets[j] = nSets;
+                        reached.append(j);
+                    }
+                }
+            );
+        }
+        ++nSets;
+    }
+    return sets;
 }
 
 

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "solidBodies.H"
+#include "borderPatch.H"
 #include "fileSurface.H"
 #include "spacingFunction.H"
 #include "emptyPolyPatch.H"
@@ -182,6 +183,11 @@ Foam::labelList Foam::SPH::solidBodies::readElements
     const orientedSurface s(surface_.subset(elementis));
     const labelList open(s.openElements());
 
+    // The body may lie outside the zone that is filled
+    if (s.size() == 0 && isBorder(patches.last()))
+    {
+        return elementis;
+    }
     if (s.size() == 0 || open.size())
     {
         wordHashSet openPatches;
@@ -252,7 +258,11 @@ Foam::autoPtr<Foam::SPH::solidBody> Foam::SPH::solidBodies::readBody
 
     if (dict.found("patches"))
     {
-        return makeBody(dict.dictName(), readElements(dict), smoothingRatio);
+        const labelList elementis(readElements(dict));
+        return
+            elementis.empty()
+          ? nullptr
+          : makeBody(dict.dictName(), elementis, smoothingRatio);
     }
 
     return autoPtr<solidBody>::New
@@ -294,7 +304,11 @@ Foam::SPH::solidBodies::solidBodies
                 << " with an entry 'patches' or 'surface'"
                 << exit(FatalIOError);
         }
-        append(readBody(e.dict()));
+        autoPtr<solidBody> body(readBody(e.dict()));
+        if (body.valid())
+        {
+            append(std::move(body));
+        }
     }
 }
 

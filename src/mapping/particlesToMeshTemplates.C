@@ -61,6 +61,13 @@ Foam::SPH::particlesToMesh::map
     );
     fieldType& mapped = tmapped.ref();
     cells_.map(field.primitiveField(), mapped.primitiveFieldRef());
+    forAll(particles_.cellMap(), i)
+    {
+        if (particles_.cellMap()[i] >= 0)
+        {
+            mapped.primitiveFieldRef()[particles_.cellMap()[i]] = field[i];
+        }
+    }
 
     const label nInternal = particles_.mesh().nInternalFaces();
     for (fvPatchField<Type>& patchField : mapped.boundaryFieldRef())

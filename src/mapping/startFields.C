@@ -48,15 +48,40 @@ bool Foam::SPH::startFields::isNewtonian() const
 }
 
 
+bool Foam::SPH::startFields::hasParticles(const fvPatch& patch) const
+{
+    if (case_.cellMap().empty())
+    {
+        return true;
+    }
+    for (const label celli : patch.faceCells())
+    {
+        if (case_.cellMap()[celli] < 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::SPH::startFields::findCells()
 {
     const meshSearch search(mesh_, polyMesh::FACE_PLANES);
     const pointField& points = particles_.cellCentres();
 
+    const labelList& cellMap = case_.cellMap();
     cells_.setSize(points.size());
     label seed = -1;
     forAll(cells_, i)
     {
+        if (cellMap.size() && cellMap[i] >= 0)
+        {
+            cells_[i] = cellMap[i];
+            beside_[i] = true;
+            continue;
+        }
+
         label celli = search.findCell(points[i], seed, true);
         if (celli < 0)
         {

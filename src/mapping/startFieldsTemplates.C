@@ -63,7 +63,7 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
     const fvPatchField<Type>& from = field.boundaryField()[patchi];
     const directFvPatchFieldMapper mapper(addressing);
 
-    if (refines(field.name(), from))
+    if (hasParticles(patch) && refines(field.name(), from))
     {
         auto trefined = fvPatchField<Type>::New
         (

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "contactBoundary.H"
-#include "particlePolyMesh.H"
+#include "particleFaces.H"
 #include "labelIOList.H"
 #include "scalarIOField.H"
 #include "vectorIOField.H"
@@ -41,7 +41,7 @@ void Foam::SPH::writeContactBoundary
                 << exit(FatalError);
         }
 
-        SubList<label>(face, size, start) = particlePolyMesh::nearestFaces
+        SubList<label>(face, size, start) = particleFaces::nearestFaces
         (
             pp, SubList<point>(faces.Cf, size, start)
         );

@@ -9,6 +9,7 @@ License
 
 #include "particleCase.H"
 #include "contactBoundary.H"
+#include "hybridPolyMesh.H"
 #include "particleFiles.H"
 #include "particlePolyMesh.H"
 #include "solidParticles.H"
@@ -66,6 +67,21 @@ namespace SPH
         }
     }
 
+    //- Arrays beside the polyMesh, which gives points and volumes but for
+    //- round-off that depends on how it is decomposed
+    static void writeArrays
+    (
+        const particleFiles& files,
+        const pointField& points,
+        const scalarField& V,
+        const scalarField& spacing
+    )
+    {
+        files.writeArray<vectorIOField>("points", points);
+        files.writeArray<scalarIOField>("V", V);
+        files.writeArray<scalarIOField>("spacing", spacing);
+    }
+
     //- Folders of times, but for the start
     static fileNameList resultFolders
     (
@@ -120,6 +136,7 @@ void Foam::SPH::particleCase::readMesh()
         );
         boundaryFace_ =
             labelIOList(particleFiles(*timePtr_).arrayIO("boundaryFace"));
+        cellMap_ = particleFiles(*timePtr_).cellMap();
     }
 }
 
@@ -207,7 +224,11 @@ void Foam::SPH::particleCase::updateSource() const
     dictionary properties(files.properties());
     const dictionary source
     (
-        particleFiles::sourceDigests(mesh_.time().path())
+        particleFiles::sourceDigests
+        (
+            mesh_.time().path(),
+            properties.found("zone")
+        )
     );
 
     if (properties.subOrEmptyDict("source") != source)
@@ -253,6 +274,7 @@ void Foam::SPH::particleCase::removeResults() const
 void Foam::SPH::particleCase::writeMesh
 (
     const dictionary& properties,
+    const particleZone& zone,
     const particleMeshData& data,
     const UList<particleSet>& solids,
     const boundaryFaces& contact
@@ -270,24 +292,31 @@ void Foam::SPH::particleCase::writeMesh
     const fileName constant(path_/timePtr_->constant());
     rmDir(constant/newFolder, true);
 
+    const particleFiles files(*timePtr_, newFolder);
     const solutionSpace space(mesh_);
-    particlePolyMesh mesh(mesh_, space, data);
-    const autoPtr<polyMesh> meshPtr(mesh.makeMesh(*timePtr_, newFolder));
+    autoPtr<polyMesh> meshPtr;
+    if (zone.everywhere())
+    {
+        particlePolyMesh mesh(mesh_, space, data);
+        files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
+        meshPtr = mesh.makeMesh(*timePtr_, newFolder);
+        writeArrays(files, data.points, data.V, data.spacing);
+    }
+    else
+    {
+        hybridPolyMesh mesh(zone, space, data);
+        files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
+        files.writeArray<labelIOList>("cellMap", mesh.cellMap());
+        files.writeArray<labelIOList>("faceMap", mesh.faceMap());
+        meshPtr = mesh.makeMesh(*timePtr_, newFolder);
+        writeArrays(files, mesh.points(), mesh.V(), mesh.spacing());
+    }
     if (!meshPtr->write())
     {
         FatalErrorInFunction
             << "Cannot write " << constant/newFolder/meshFolder
             << exit(FatalError);
     }
-
-    const particleFiles files(*timePtr_, newFolder);
-    files.writeArray<scalarIOField>("spacing", data.spacing);
-    files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
-
-    // The polyMesh gives these but for round-off that depends on how it is
-    // decomposed
-    files.writeArray<vectorIOField>("points", data.points);
-    files.writeArray<scalarIOField>("V", data.V);
 
     if (solids.size())
     {
@@ -299,7 +328,15 @@ void Foam::SPH::particleCase::writeMesh
     }
 
     dictionary stored(properties);
-    stored.add("source", particleFiles::sourceDigests(mesh_.time().path()));
+    stored.add
+    (
+        "source",
+        particleFiles::sourceDigests
+        (
+            mesh_.time().path(),
+            properties.found("zone")
+        )
+    );
     stored.add("nParticles", data.points.size());
     stored.add("nPairs", data.owner.size());
     files.writeDictionary("sphMeshProperties", stored);

@@ -9,6 +9,7 @@ License
 
 #include "particleFiles.H"
 #include "compat.H"
+#include "labelIOList.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 
@@ -83,6 +84,13 @@ Foam::dictionary Foam::SPH::particleFiles::properties() const
 }
 
 
+Foam::labelList Foam::SPH::particleFiles::cellMap() const
+{
+    IOobject io(arrayIO("cellMap"));
+    return io.typeHeaderOk<labelIOList>(true) ? labelIOList(io) : labelList();
+}
+
+
 void Foam::SPH::particleFiles::requireCurrent() const
 {
     // The whole case; its messages come from the master alone
@@ -105,7 +113,7 @@ void Foam::SPH::particleFiles::requireCurrent() const
             << " -cells" << exit(FatalError);
     }
 
-    const dictionary is(sourceDigests(path.path()));
+    const dictionary is(sourceDigests(path.path(), true));
 
     for (const entry& e : is)
     {
@@ -137,7 +145,8 @@ void Foam::SPH::particleFiles::writeDictionary
 
 Foam::dictionary Foam::SPH::particleFiles::sourceDigests
 (
-    const fileName& fvmCase
+    const fileName& fvmCase,
+    const bool zone
 )
 {
     dictionary digests;
@@ -153,6 +162,11 @@ Foam::dictionary Foam::SPH::particleFiles::sourceDigests
     for (const word name : {"points", "faces", "boundary"})
     {
         add(name, fileName("constant")/"polyMesh"/name);
+    }
+
+    if (zone)
+    {
+        add("cellZones", fileName("constant")/"polyMesh"/"cellZones");
     }
 
     const fileName dict(fvmCase/"system"/"sphMeshDict");

@@ -31,7 +31,7 @@ namespace SPH
     static const wordList validEntries
     ({
         "scheme", "spacing", "kernel", "lattice", "bodies", "relaxation",
-        "closure", "levelSet"
+        "closure", "levelSet", "zone"
     });
 
     //- Entries of its sub-dictionaries
@@ -222,12 +222,21 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
 
 Foam::dictionary Foam::SPH::particleMeshProperties
 (
-    const fvMesh& mesh,
+    const particleZone& zone,
     const dictionary& dict
 )
 {
+    const fvMesh& mesh = zone.fvm();
     SHA1 sha;
     appendMesh(mesh, sha);
+    if (!zone.everywhere())
+    {
+        sha.append
+        (
+            reinterpret_cast<const char*>(zone.inside().cdata()),
+            zone.inside().size()*sizeof(bool)
+        );
+    }
 
     OStringStream os;
     os.precision(17);
@@ -240,6 +249,10 @@ Foam::dictionary Foam::SPH::particleMeshProperties
     properties.add("digest", word(sha.digest().str(true)));
     properties.add("kernel", dict.subOrEmptyDict("kernel"));
     properties.add("closure", dict.subOrEmptyDict("closure"));
+    if (dict.found("zone"))
+    {
+        properties.add(dict.lookupEntry("zone", keyType::LITERAL));
+    }
 
     return properties;
 }

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particlePolygons.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -37,18 +38,7 @@ namespace SPH
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::SPH::particlePolygons::reserve
-(
-    const label nFaces,
-    const label nPoints
-)
-{
-    faces_.reserve(nFaces);
-    points_.reserve(nPoints);
-}
-
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::SPH::particlePolygons::addTriangle
 (
@@ -92,6 +82,75 @@ void Foam::SPH::particlePolygons::addRectangle
     points_.append(centre - a + b);
 
     faces_.append(face(identity(4, start)));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::particlePolygons::reserve(const label nFaces)
+{
+    faces_.reserve(faces_.size() + nFaces);
+    points_.reserve(points_.size() + (emptyEdges_.empty() ? 3 : 4)*nFaces);
+}
+
+
+void Foam::SPH::particlePolygons::add(const point& centre, const vector& area)
+{
+    for (const vector& edge : emptyEdges_)
+    {
+        // Along an empty direction, but not that of an empty face
+        if (mag(area & edge) < 0.5*mag(area)*mag(edge))
+        {
+            addRectangle(centre, area, edge);
+            return;
+        }
+    }
+    addTriangle(centre, area);
+}
+
+
+Foam::autoPtr<Foam::polyMesh> Foam::SPH::particlePolygons::makeMesh
+(
+    const Time& time,
+    const word& region,
+    labelList&& owner,
+    labelList&& neighbour,
+    const UList<namedPatch>& patches
+)
+{
+    autoPtr<polyMesh> meshPtr
+    (
+        new polyMesh
+        (
+            IOobject
+            (
+                region,
+                time.constant(),
+                time,
+                IOobject::NO_READ,
+                IOobject::AUTO_WRITE
+            ),
+            pointField(std::move(points_)),
+            faceList(std::move(faces_)),
+            std::move(owner),
+            std::move(neighbour)
+        )
+    );
+
+    List<polyPatch*> polyPatches(patches.size());
+    forAll(patches, patchi)
+    {
+        dictionary dict(patches[patchi].dict);
+        dict.set("startFace", patches[patchi].start);
+        dict.set("nFaces", patches[patchi].size);
+        polyPatches[patchi] = polyPatch::New
+        (
+            patches[patchi].name, dict, patchi, meshPtr->boundaryMesh()
+        ).ptr();
+    }
+    meshPtr->addPatches(polyPatches);
+
+    return meshPtr;
 }
 
 

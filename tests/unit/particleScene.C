@@ -177,7 +177,8 @@ std::unique_ptr<Foam::SPH::sceneParticles> Foam::SPH::particleScene::assemble
     }
 
     auto sph = std::make_unique<particleCase>(mesh());
-    sph->writeMesh(properties, data, solids, contact);
+    const particleZone everywhere(mesh(), dictionary());
+    sph->writeMesh(properties, everywhere, data, solids, contact);
 
     return std::make_unique<sceneParticles>(std::move(sph), data);
 }

@@ -12,9 +12,12 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "particleScene.H"
+#include "pairGraph.H"
+#include "particleMoments.H"
 #include "particlePairs.H"
 #include "Random.H"
 #include "StringStream.H"
+#include "torqueClosure.H"
 #include "volFields.H"
 
 #include <gtest/gtest.h>
@@ -540,5 +543,69 @@ TEST(ClosureErrors, unknownWordsListTheValidOnes)
     const std::string threshold(message("type surfaceVector; threshold 2;"));
     EXPECT_NE(threshold.find("0 to 1"), std::string::npos) << threshold;
 }
+
+TEST(TorqueClosure, defectsOfFirstMomentsExertNoTorque)
+{
+    for (const char* name : {"box", "cube"})
+    {
+        const auto scene = particleScene::New(name, 0.3);
+        const auto particles = scene->assemble("order 0;");
+        const solutionSpace& space = particles->space();
+        particleMeshData data(particles->written());
+        const scalar volume = sum(data.V);
+        forAll(data.V, i)
+        {
+            data.V[i] *= 1 + 0.1*data.points[i].x();
+        }
+        data.V *= volume/sum(data.V);
+        const vectorField sums(areaSums(data));
+
+        //- Largest torque of the components of x
+        const auto torque = [&]()
+        {
+            const tensorField moments(firstMoments(data));
+            tensor total(Zero);
+            forAll(moments, i)
+            {
+                const tensor defect
+                (
+                    data.V[i]*space.identity() - moments[i]
+                );
+                total +=
+                    tensor
+                    (
+                        data.points[i] ^ defect.x(),
+                        data.points[i] ^ defect.y(),
+                        data.points[i] ^ defect.z()
+                    );
+            }
+            // In 2-D the axis is z
+            return space.nDims() == 2
+              ? max(mag(total.xz()), mag(total.yz()))
+              : cmptMax(cmptMag(total));
+        };
+
+        const scalar before = torque();
+        const pairGraph graph
+        (
+            data.points.size(), data.owner, data.neighbour
+        );
+        const scalar tolerance = 1e-15*space.volume(1);
+        closeTorques(space, graph, tolerance, 5000, data);
+
+        EXPECT_GT(before, 1e-5*space.volume(1)) << name;
+        EXPECT_LT(torque(), 1e-8*before) << name;
+        EXPECT_LT(max(mag(areaSums(data) - sums)), 1e-11*space.volume(1))
+            << name;
+    }
+}
+
+
+TEST(PairGraph, connectedSets)
+{
+    const pairGraph graph(6, labelList({0, 1, 4}), labelList({2, 5, 5}));
+    EXPECT_EQ(graph.connectedSets(), labelList({0, 1, 0, 2, 1, 1}));
+}
+
 
 // ************************************************************************* //

@@ -45,6 +45,7 @@ Usage
 #include "solidBodies.H"
 #include "solidParticles.H"
 #include "virtualDisplay.H"
+#include "zoneParticles.H"
 
 using namespace Foam;
 
@@ -63,13 +64,22 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     const SPH::particleResults results(runTime);
-    const SPH::particleMesh particles(results.mesh());
+    const SPH::particleMesh all(results.mesh());
+    const SPH::particleZone zone(mesh, all.properties());
+    const autoPtr<SPH::particleMesh> inZone
+    (
+        zone.everywhere()
+      ? nullptr
+      : SPH::zoneParticles(zone, all, results.cellMap()).ptr()
+    );
+    const SPH::particleMesh& particles = inZone.valid() ? *inZone : all;
+    const fvMesh& filled = zone.mesh();
     const List<SPH::particleSet> solids
     (
         SPH::readSolidParticles(SPH::particleFiles(results.mesh().time()))
     );
 
-    const SPH::patchSurface surface(mesh, particles.space());
+    const SPH::patchSurface surface(filled, particles.space());
 
     // Named by sphMesh where they have no patches
     const autoPtr<SPH::solidBodies> bodies
@@ -87,7 +97,7 @@ int main(int argc, char *argv[])
     );
     const SPH::meshQuality quality
     (
-        mesh, particles, solids, fluid.distance()
+        filled, particles, solids, fluid.distance()
     );
 
     Info<< "Time = " << runTime.timeName() << nl << nl
@@ -107,7 +117,7 @@ int main(int argc, char *argv[])
     quality.write(folder/"quality.csv");
     if (args.found("writeVTK"))
     {
-        SPH::writeMeshQualityVtp(mesh, particles, solids, quality, folder);
+        SPH::writeMeshQualityVtp(filled, particles, solids, quality, folder);
     }
     if (args.found("picture") || args.found("view"))
     {
@@ -116,17 +126,17 @@ int main(int argc, char *argv[])
         {
             const boundBox view
             (
-                args.getOrDefault<boundBox>("view", mesh.bounds())
+                args.getOrDefault<boundBox>("view", filled.bounds())
             );
             SPH::writeQualityPicture
             (
-                mesh, particles, quality, view, folder/"particles.png"
+                filled, particles, quality, view, folder/"particles.png"
             );
             if (particles.space().nDims() == 2)
             {
                 SPH::writeAreaVectorPicture
                 (
-                    mesh, particles, view, folder/"areaVectors.png"
+                    filled, particles, view, folder/"areaVectors.png"
                 );
             }
         }

@@ -15,7 +15,9 @@ Description
 
     Reads the mesh and system/sphMeshDict (without it particles follow the
     cells), fills the fluid and the solid bodies with particles, relaxes them,
-    finds the pairs and their area vectors and closes every particle. Maps the
+    finds the pairs and their area vectors and closes every particle. With an
+    entry zone particles fill that part of the mesh, and the FVM cells around it
+    stay as they are in the mesh of sph/. Maps the
     fields of the start time with their boundary conditions. Particles that
     already belong to this mesh and dictionary are kept, and so is what was
     edited in sph/.
@@ -38,6 +40,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "consistentClosure.H"
 #include "contactFaces.H"
 #include "particleGenerator.H"
 #include "particleMeshAssembly.H"
@@ -95,7 +98,7 @@ void checkRegions(const Time& runTime)
 //- Generate, relax and close the particles and write them
 void generateParticles
 (
-    const fvMesh& mesh,
+    const particleZone& zone,
     const dictionary& dict,
     particleGenerator& generator,
     const closure& method,
@@ -103,6 +106,8 @@ void generateParticles
     particleCase& sph
 )
 {
+    const fvMesh& mesh = zone.mesh();
+
     generator.generate();
     if (generator.monitor().history().size())
     {
@@ -145,11 +150,18 @@ void generateParticles
         );
     }
 
+    if (!zone.everywhere())
+    {
+        const label n = zone.inside().size();
+        Info<< "    FVM cells: "
+            << n - zone.mesh().nCells() << " of " << n << ", border faces: "
+            << mesh.boundaryMesh()[zone.borderPatch()].size() << nl;
+    }
     Info<< "    particles: " << data.points.size()
         << "  pairs: " << data.owner.size()
         << "  boundary faces: " << data.boundary.owner.size() << endl;
 
-    sph.writeMesh(properties, data, generator.solids(), contact);
+    sph.writeMesh(properties, zone, data, generator.solids(), contact);
 }
 
 
@@ -188,7 +200,8 @@ int main(int argc, char *argv[])
     );
 
     const IOdictionary dict(readSphMeshDict(mesh, args));
-    dictionary properties(particleMeshProperties(mesh, dict));
+    const particleZone zone(mesh, dict);
+    dictionary properties(particleMeshProperties(zone, dict));
     particleCase sph(mesh);
 
     if
@@ -207,7 +220,15 @@ int main(int argc, char *argv[])
         (
             closure::New(dict.subOrEmptyDict("closure"))
         );
-        particleGenerator generator(mesh, dict);
+        if (!zone.everywhere() && method->type() != consistentClosure::typeName)
+        {
+            FatalIOErrorInFunction(dict)
+                << "closure " << method->type() << " does not close the"
+                << " particles of a zone against the FVM cells around it."
+                << " Valid closures with an entry 'zone': "
+                << consistentClosure::typeName << exit(FatalIOError);
+        }
+        particleGenerator generator(zone.mesh(), dict);
 
         if (generator.filesCutMesh() && method->type() != noClosure::typeName)
         {
@@ -232,7 +253,7 @@ int main(int argc, char *argv[])
         }
         sph.requireNoResults();
         generator.checkMemory();
-        generateParticles(mesh, dict, generator, *method, properties, sph);
+        generateParticles(zone, dict, generator, *method, properties, sph);
     }
 
     Info<< "Particle case " << sph.path() << endl;

@@ -9,8 +9,8 @@ Application
     particleSums
 
 Description
-    Prints, for the latest time of a particle case, the sums of volume, pressure,
-    momentum and, of a compressible flow, density and energy over the
+    Prints, for the latest time of a particle case, the sums of volume, pressure
+    and, where the solver writes them, momentum, density and energy over the
     particles, and the largest deviation of their velocity from a given one.
 
 Usage
@@ -51,7 +51,6 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         );
     };
-    const volVectorField rhoU(io("rhoU"), mesh);
     const volVectorField U(io("U"), mesh);
 
     // The integral of a scalar field
@@ -63,19 +62,25 @@ int main(int argc, char *argv[])
 
     OSstream& os = Info;
     os.precision(17);
-    const vector momentum(sum(particles.V()*rhoU.primitiveField()));
     const vector velocity(args.getOrDefault<vector>("velocity", Zero));
 
     Info<< "time " << runTime.value() << nl
         << "volume " << sum(particles.V()) << nl
         << "pressure " << total("p") << nl
-        << "momentumX " << momentum.x() << nl
-        << "momentumY " << momentum.y() << nl
         << "deviation " << max(mag(U.primitiveField() - velocity)) << nl;
-    if (io("rhoE").typeHeaderOk<volScalarField>(true))
+    if (io("rhoU").typeHeaderOk<volVectorField>(true))
     {
-        Info<< "mass " << total("rho") << nl
-            << "energy " << total("rhoE") << nl;
+        const volVectorField rhoU(io("rhoU"), mesh);
+        const vector momentum(sum(particles.V()*rhoU.primitiveField()));
+        Info<< "momentumX " << momentum.x() << nl
+            << "momentumY " << momentum.y() << nl;
+    }
+    for (const word& name : {"rho", "rhoE"})
+    {
+        if (io(name).typeHeaderOk<volScalarField>(true))
+        {
+            Info<< (name == "rho" ? "mass " : "energy ") << total(name) << nl;
+        }
     }
     Info<< "End\n" << endl;
 

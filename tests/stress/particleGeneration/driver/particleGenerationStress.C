@@ -241,9 +241,11 @@ static void run
         );
         if (write)
         {
+            const particleZone everywhere(mesh, dictionary());
             particleCase(mesh).writeMesh
             (
-                particleMeshProperties(mesh, dict),
+                particleMeshProperties(everywhere, dict),
+                everywhere,
                 particles,
                 generator.solids(),
                 boundaryFaces()

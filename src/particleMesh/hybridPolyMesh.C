@@ -1,0 +1,325 @@
+/*---------------------------------------------------------------------------*\
+    eulerianSPH: body-fitted Eulerian SPH beside the finite-volume method
+-------------------------------------------------------------------------------
+License
+    This file is part of eulerianSPH, distributed under the GNU General Public
+    License v3.0 or later; see the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hybridPolyMesh.H"
+#include "cellSpacing.H"
+#include "spaceFillingCurve.H"
+
+#include <algorithm>
+#include <tuple>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::hybridPolyMesh::order()
+{
+    DynamicList<label> outer(fvm_.nCells());
+    forAll(zone_.inside(), celli)
+    {
+        if (!zone_.inside()[celli])
+        {
+            outer.append(celli);
+        }
+    }
+
+    const label nParticles = data_.points.size();
+    vectorField local(outer.size() + nParticles);
+    forAll(outer, k)
+    {
+        local[k] = space_.toLocal(fvm_.cellCentres()[outer[k]]);
+    }
+    forAll(data_.points, i)
+    {
+        local[outer.size() + i] = space_.toLocal(data_.points[i]);
+    }
+
+    const labelList curve(spaceFillingOrder(local, min(data_.spacing)));
+    cellMap_ = labelList(curve.size(), -1);
+    ofFvm_ = labelList(fvm_.nCells(), -1);
+    ofParticle_.setSize(nParticles);
+    forAll(curve, celli)
+    {
+        const label k = curve[celli];
+        if (k < outer.size())
+        {
+            cellMap_[celli] = outer[k];
+            ofFvm_[outer[k]] = celli;
+        }
+        else
+        {
+            ofParticle_[k - outer.size()] = celli;
+        }
+    }
+}
+
+
+std::vector<Foam::SPH::hybridPolyMesh::innerFace>
+Foam::SPH::hybridPolyMesh::innerFaces() const
+{
+    std::vector<innerFace> inner;
+
+    const auto append =
+        [&](const label a, const label b, const label face, const label source)
+        {
+            inner.push_back({min(a, b), max(a, b), a > b, face, source});
+        };
+
+    for (label facei = 0; facei < fvm_.nInternalFaces(); ++facei)
+    {
+        const label a = ofFvm_[fvm_.faceOwner()[facei]];
+        const label b = ofFvm_[fvm_.faceNeighbour()[facei]];
+        if (a >= 0 && b >= 0)
+        {
+            append(a, b, facei, -1);
+        }
+    }
+
+    forAll(particles_.owner(), pairi)
+    {
+        append
+        (
+            ofParticle_[particles_.owner()[pairi]],
+            ofParticle_[particles_.neighbour()[pairi]],
+            -1,
+            pairi
+        );
+    }
+
+    // The area vectors of the border's parts leave the particles
+    const label patchi = zone_.borderPatch();
+    const particleFaces::patchFaces& border = particles_.patches()[patchi];
+    forAll(border.owner, k)
+    {
+        const label facei = zone_.fvmFace(patchi, border.face[k]);
+        const label a = ofFvm_[fvm_.faceOwner()[facei]];
+        const label b = ofFvm_[fvm_.faceNeighbour()[facei]];
+        append(ofParticle_[border.owner[k]], max(a, b), facei, k);
+    }
+
+    std::sort
+    (
+        inner.begin(),
+        inner.end(),
+        [](const innerFace& a, const innerFace& b)
+        {
+            return
+                std::tie(a.owner, a.neighbour, a.fvmFace, a.source)
+              < std::tie(b.owner, b.neighbour, b.fvmFace, b.source);
+        }
+    );
+
+    return inner;
+}
+
+
+void Foam::SPH::hybridPolyMesh::addFvmFace
+(
+    const label facei,
+    const bool turned
+)
+{
+    face f(fvm_.faces()[facei]);
+    for (label& pointi : f)
+    {
+        label& mapped = pointMap_[pointi];
+        if (mapped < 0)
+        {
+            mapped = polygons_.addPoint(fvm_.points()[pointi]);
+        }
+        pointi = mapped;
+    }
+    polygons_.add(turned ? f.reverseFace() : f);
+}
+
+
+void Foam::SPH::hybridPolyMesh::addInnerFaces()
+{
+    const particleFaces::patchFaces& border =
+        particles_.patches()[zone_.borderPatch()];
+
+    for (const innerFace& f : innerFaces())
+    {
+        const scalar sign = f.turned ? -1 : 1;
+        if (f.source < 0)
+        {
+            addFvmFace(f.fvmFace, f.turned);
+        }
+        else if (f.fvmFace < 0)
+        {
+            polygons_.add
+            (
+                particles_.Cf()[f.source],
+                sign*particles_.Sf()[f.source]
+            );
+        }
+        else
+        {
+            border_.append(owner_.size());
+            fromParticle_.append(cellMap_[f.owner] < 0);
+            polygons_.add(border.Cf[f.source], sign*border.Sf[f.source]);
+        }
+        owner_.append(f.owner);
+        neighbour_.append(f.neighbour);
+        faceMap_.append(f.fvmFace);
+    }
+}
+
+
+void Foam::SPH::hybridPolyMesh::addPatches()
+{
+    const label nFvm = fvm_.boundaryMesh().size();
+    const label nPatches = particles_.patches().size();
+
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        if (patchi == zone_.borderPatch())
+        {
+            continue;
+        }
+
+        const particleFaces::patchFaces& patch = particles_.patches()[patchi];
+        const label start = polygons_.size();
+        const label fvmStart =
+            patchi < nFvm ? fvm_.boundaryMesh()[patchi].start() : 0;
+        const label nFvmFaces =
+            patchi < nFvm ? fvm_.boundaryMesh()[patchi].size() : 0;
+
+        const auto append = [&](const label celli, const label local)
+        {
+            owner_.append(celli);
+            boundaryFace_.append(local);
+            faceMap_.append(local < 0 ? -1 : fvmStart + local);
+        };
+
+        for (label k = 0; k < nFvmFaces; ++k)
+        {
+            const label celli = ofFvm_[fvm_.faceOwner()[fvmStart + k]];
+            if (celli >= 0)
+            {
+                addFvmFace(fvmStart + k, false);
+                append(celli, k);
+            }
+        }
+        forAll(patch.owner, k)
+        {
+            const label facei = patch.face[k];
+            polygons_.add(patch.Cf[k], patch.Sf[k]);
+            append
+            (
+                ofParticle_[patch.owner[k]],
+                facei < 0 ? -1 : zone_.fvmFace(patchi, facei)
+            );
+        }
+        patches_.append
+        (
+            namedPatch
+            {
+                patch.name, patch.dict, start, polygons_.size() - start
+            }
+        );
+    }
+}
+
+
+void Foam::SPH::hybridPolyMesh::addZones(polyMesh& mesh) const
+{
+    DynamicList<label> cells[2];
+    forAll(cellMap_, celli)
+    {
+        cells[cellMap_[celli] < 0].append(celli);
+    }
+
+    List<cellZone*> cellZones(2);
+    for (const label k : {0, 1})
+    {
+        cellZones[k] =
+            new cellZone(k ? "sph" : "fvm", cells[k], k, mesh.cellZones());
+    }
+    const List<faceZone*> faceZones
+    (
+        1,
+        new faceZone
+        (
+            "interface",
+            border_,
+            boolList(fromParticle_),
+            0,
+            mesh.faceZones()
+        )
+    );
+    mesh.addZones(List<pointZone*>(), faceZones, cellZones);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::SPH::hybridPolyMesh::hybridPolyMesh
+(
+    const particleZone& zone,
+    const solutionSpace& space,
+    const particleMeshData& data
+)
+:
+    fvm_(zone.fvm()),
+    zone_(zone),
+    space_(space),
+    data_(data),
+    particles_(zone.mesh(), space, data),
+    polygons_(particles_.emptyEdges()),
+    pointMap_(fvm_.nPoints(), -1)
+{
+    order();
+    addInnerFaces();
+    addPatches();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::polyMesh> Foam::SPH::hybridPolyMesh::makeMesh
+(
+    const Time& time,
+    const word& region
+)
+{
+    autoPtr<polyMesh> meshPtr
+    (
+        polygons_.makeMesh
+        (
+            time,
+            region,
+            labelList(std::move(owner_)),
+            labelList(std::move(neighbour_)),
+            patches_
+        )
+    );
+    addZones(*meshPtr);
+
+    return meshPtr;
+}
+
+
+Foam::pointField Foam::SPH::hybridPolyMesh::points() const
+{
+    return combine(fvm_.cellCentres(), data_.points);
+}
+
+
+Foam::scalarField Foam::SPH::hybridPolyMesh::V() const
+{
+    return combine(fvm_.cellVolumes(), data_.V);
+}
+
+
+Foam::scalarField Foam::SPH::hybridPolyMesh::spacing() const
+{
+    return combine(cellSpacing(space_, fvm_), data_.spacing);
+}
+
+
+// ************************************************************************* //
