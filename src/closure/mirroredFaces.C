@@ -10,6 +10,7 @@ License
 #include "mirroredFaces.H"
 #include "borderPatch.H"
 #include "boundaryElements.H"
+#include "boundaryFaceList.H"
 #include "cellGrid.H"
 #include "kernelShapes.H"
 #include "emptyPolyPatch.H"
@@ -339,12 +340,7 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
         }
     }
 
-    boundaryFaces boundary;
-    DynamicList<label> owner, local;
-    DynamicList<vector> Sf, Cf;
-    DynamicList<scalar> distance;
-
-    boundary.start = labelList(mesh.boundary().size() + 1, Zero);
+    boundaryFaceList faces;
     label counter = 0;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
@@ -379,30 +375,24 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
                 const point centre(p.moment/p.area);
                 const vector r(centre - data.points[p.particle]);
 
-                owner.append(p.particle);
-                Sf.append(p.Sf);
-                Cf.append(centre);
-                distance.append
+                faces.append
                 (
+                    p.particle,
+                    p.Sf,
+                    centre,
                     max
                     (
                         (r & p.Sf)/p.area,
                         smallestDistance*data.spacing[p.particle]
-                    )
+                    ),
+                    facei
                 );
-                local.append(facei);
             }
         }
-        boundary.start[pp.index() + 1] = owner.size();
+        faces.endPatch();
     }
 
-    boundary.owner.transfer(owner);
-    boundary.Sf.transfer(Sf);
-    boundary.Cf.transfer(Cf);
-    boundary.distance.transfer(distance);
-    boundary.face.transfer(local);
-
-    return boundary;
+    return faces.faces();
 }
 
 

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceVectorClosure.H"
+#include "boundaryFaceList.H"
 #include "particleMoments.H"
 #include "addToRunTimeSelectionTable.H"
 #include "ListOps.H"
@@ -131,33 +132,25 @@ void Foam::SPH::surfaceVectorClosure::close
         }
     }
 
-    boundaryFaces& boundary = data.boundary;
-    DynamicList<label> owner, local;
-    DynamicList<vector> Sf, Cf;
-    DynamicList<scalar> distance;
-
-    boundary.start = labelList(patchFaces.size() + 1, Zero);
+    boundaryFaceList faces;
     forAll(patchFaces, patchi)
     {
         for (const part& side : patchFaces[patchi])
         {
-            owner.append(side.owner);
-            Sf.append(side.Sf);
-            Cf.append(side.face.hit);
-            distance.append
+            const vector r(side.face.hit - data.points[side.owner]);
+            faces.append
             (
-                mag((side.face.hit - data.points[side.owner]) & side.face.normal)
+                side.owner,
+                side.Sf,
+                side.face.hit,
+                mag(r & side.face.normal),
+                side.face.facei
             );
-            local.append(side.face.facei);
         }
-        boundary.start[patchi + 1] = owner.size();
+        faces.endPatch();
     }
 
-    boundary.owner.transfer(owner);
-    boundary.Sf.transfer(Sf);
-    boundary.Cf.transfer(Cf);
-    boundary.distance.transfer(distance);
-    boundary.face.transfer(local);
+    data.boundary = faces.faces();
 }
 
 

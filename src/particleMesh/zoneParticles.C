@@ -8,34 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "zoneParticles.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace SPH
-{
-    //- Collects boundary faces
-    struct faceCollector
-    {
-        DynamicList<label> owner;
-        DynamicList<label> face;
-        DynamicList<vector> Sf;
-        DynamicList<point> Cf;
-        DynamicList<scalar> distance;
-
-        void transferTo(boundaryFaces& boundary)
-        {
-            boundary.owner.transfer(owner);
-            boundary.face.transfer(face);
-            boundary.Sf.transfer(Sf);
-            boundary.Cf.transfer(Cf);
-            boundary.distance.transfer(distance);
-        }
-    };
-}
-}
-
+#include "boundaryFaceList.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -63,22 +36,24 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::zoneParticles
     data.spacing = scalarField(all.spacing(), cells);
 
     const boundaryFaces& from = all.boundary().faces();
-    faceCollector faces;
-    data.boundary.start = labelList(zone.mesh().boundary().size() + 1, Zero);
+    boundaryFaceList faces;
     for (label patchi = 0; patchi < zone.borderPatch(); ++patchi)
     {
         for (label s = from.start[patchi]; s < from.start[patchi + 1]; ++s)
         {
             if (particle[from.owner[s]] >= 0)
             {
-                faces.owner.append(particle[from.owner[s]]);
-                faces.face.append(from.face[s]);
-                faces.Sf.append(from.Sf[s]);
-                faces.Cf.append(from.Cf[s]);
-                faces.distance.append(from.distance[s]);
+                faces.append
+                (
+                    particle[from.owner[s]],
+                    from.Sf[s],
+                    from.Cf[s],
+                    from.distance[s],
+                    from.face[s]
+                );
             }
         }
-        data.boundary.start[patchi + 1] = faces.owner.size();
+        faces.endPatch();
     }
 
     DynamicList<label> pairs(all.nPairs());
@@ -99,15 +74,14 @@ Foam::autoPtr<Foam::SPH::particleMesh> Foam::SPH::zoneParticles
             const vector Sf(sign*all.Sf()[pairi]);
             const vector r(0.5*sign*all.delta()[pairi] + all.skew()[pairi]);
 
-            faces.owner.append(particle[celli]);
-            faces.face.append(-1);
-            faces.Sf.append(Sf);
-            faces.Cf.append(all.C()[celli] + r);
-            faces.distance.append((r & Sf)/mag(Sf));
+            faces.append
+            (
+                particle[celli], Sf, all.C()[celli] + r, (r & Sf)/mag(Sf), -1
+            );
         }
     }
-    data.boundary.start.last() = faces.owner.size();
-    faces.transferTo(data.boundary);
+    faces.endPatch();
+    data.boundary = faces.faces();
 
     data.owner = labelList(UIndirectList<label>(all.owner(), pairs));
     data.neighbour = labelList(UIndirectList<label>(all.neighbour(), pairs));
