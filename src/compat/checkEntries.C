@@ -109,12 +109,12 @@ void Foam::SPH::checkEntries
 {
     for (const word& name : dict.sortedToc())
     {
-        if (name == "FoamFile" || valid.found(name))
-        {
-            continue;
-        }
-
-        if (isVariable(textOf(file), name))
+        if
+        (
+            name == "FoamFile"
+         || valid.found(name)
+         || isVariable(textOf(file), name)
+        )
         {
             continue;
         }
@@ -133,7 +133,6 @@ void Foam::SPH::checkEntries
             << nl << "Valid entries:" << nl << valid << exit(FatalIOError);
     }
 }
-
 
 
 Foam::word Foam::SPH::checkedWord

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "comparisonControls.H"
+#include "checkEntries.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,21 +20,14 @@ Foam::SPH::comparisonControls::comparisonControls(const dictionary& dict)
     components_(dict.getOrDefault("components", false)),
     particles_(dict.getOrDefault("particles", false))
 {
-    const wordHashSet known
-    {
-        "fields", "lines", "views", "ranges", "contours", "components",
-        "particles"
-    };
-
-    for (const word& entry : dict.toc())
-    {
-        if (entry != "FoamFile" && !known.found(entry))
+    checkEntries
+    (
+        dict,
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry " << entry << ". Valid choices: "
-                << known.sortedToc() << exit(FatalIOError);
+            "fields", "lines", "views", "ranges", "contours", "components",
+            "particles"
         }
-    }
+    );
 
     if (nContours_ < 0)
     {
