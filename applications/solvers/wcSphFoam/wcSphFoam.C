@@ -29,18 +29,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-
-    // Not by createMesh.H: with -dry-run that makes another mesh
-    const fvMesh mesh
-    (
-        IOobject
-        (
-            fvMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
+    #include "createReadMesh.H"
 
     SPH::flowSolver::checkCase(args, mesh);
     const autoPtr<SPH::particleMesh> particles(SPH::treatedParticleMesh(mesh));

@@ -186,18 +186,7 @@ int main(int argc, char *argv[])
     runTime.setTime(particleCase::startTime(runTime), 0);
     checkRegions(runTime);
 
-    // Not by createMesh.H: with -dry-run that makes another mesh
-    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
-    const fvMesh mesh
-    (
-        IOobject
-        (
-            polyMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
+    #include "createReadMesh.H"
 
     const IOdictionary dict(readSphMeshDict(mesh, args));
     const particleZone zone(mesh, dict);
