@@ -306,8 +306,7 @@ void Foam::SPH::closeMoments
     {
         data.skew.clear();
         data.boundary.Cf = Cf;
-        boolList none(fixed);
-        none = false;
+        const boolList none(fixed.size(), false);
         taken = moveFaceCentres
         (
             space, graph, none, tolerance, maxIterations, data
@@ -336,6 +335,5 @@ void Foam::SPH::closeMoments
     Info<< "    largest shift of a face centre over its pair's length: "
         << largest << endl;
 }
-
 
 // ************************************************************************* //

@@ -92,8 +92,7 @@ void Foam::SPH::boundaryStates::correctFlux(const label patchi)
 {
     const fvPatchVectorField& Up = U_.boundaryField()[patchi];
 
-    // pressureInletVelocity and its kin have their velocity from phi
-    if (Up.fixesValue() && !Up.type().starts_with("pressure"))
+    if (givesVelocity(Up))
     {
         phi_.boundaryFieldRef()[patchi] == (Up.patch().Sf() & Up);
     }
@@ -137,6 +136,14 @@ Foam::SPH::boundaryStates::boundaryStates
             copyPatches(patch.index());
         }
     }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+bool Foam::SPH::boundaryStates::givesVelocity(const fvPatchVectorField& Up)
+{
+    return Up.fixesValue() && !Up.type().starts_with("pressure");
 }
 
 

@@ -9,6 +9,7 @@ License
 
 #include "incompressibleStart.H"
 #include "fixedValueFvPatchFields.H"
+#include "fvcSurfaceIntegrate.H"
 #include "fvMatrices.H"
 #include "gaussGrad.H"
 #include "gaussLaplacianScheme.H"
@@ -23,28 +24,6 @@ namespace Foam
 {
 namespace SPH
 {
-    //- Sum of fluxes out of each cell
-    static scalarField netFlux(const surfaceScalarField& flux)
-    {
-        const fvMesh& mesh = flux.mesh();
-        scalarField net(mesh.nCells(), Zero);
-
-        forAll(mesh.owner(), facei)
-        {
-            net[mesh.owner()[facei]] += flux[facei];
-            net[mesh.neighbour()[facei]] -= flux[facei];
-        }
-        for (const fvPatch& patch : mesh.boundary())
-        {
-            const scalarField& patchFlux = flux.boundaryField()[patch.index()];
-            forAll(patchFlux, k)
-            {
-                net[patch.faceCells()[k]] += patchFlux[k];
-            }
-        }
-        return net;
-    }
-
     //- Solve laplacian(field) = div(flux)
     static void solvePoisson
     (
@@ -76,7 +55,8 @@ namespace SPH
                 )
             ).fvmLaplacian(one, field)
         );
-        matrix.source() += netFlux(flux);
+        matrix.source() +=
+            fvc::surfaceIntegrate(flux)().primitiveField()*mesh.V();
         if (field.needReference())
         {
             matrix.setReference(0, field[0]);
@@ -137,21 +117,7 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
     // part, as their pressure has no normal gradient
     const surfaceVectorField face(linearInterpolate(U));
     const surfaceVectorField momentum((face & mesh.Sf())*face);
-    volVectorField convection
-    (
-        IOobject("convection", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimAcceleration, Zero),
-        zeroGradientFvPatchVectorField::typeName
-    );
-    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
-    {
-        convection.primitiveFieldRef().replace
-        (
-            cmpt, netFlux(momentum.component(cmpt)())/mesh.V().field()
-        );
-    }
-    convection.correctBoundaryConditions();
+    const volVectorField convection(fvc::surfaceIntegrate(momentum));
 
     surfaceScalarField force(-(linearInterpolate(convection) & mesh.Sf()));
     forAll(types, patchi)

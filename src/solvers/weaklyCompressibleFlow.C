@@ -71,6 +71,13 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
 }
 
 
+Foam::scalar Foam::SPH::weaklyCompressibleFlow::longestSide() const
+{
+    return
+        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()));
+}
+
+
 Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
 (
     const scalar nu
@@ -104,10 +111,8 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
 
     // Loss of pressure along a channel of two walls with gap h = 2 V/A:
     // 12 nu U L/h^2
-    const scalar length =
-        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()));
     const scalar wallPerVolume = wallArea/gSum(particles_.mesh().V());
-    const scalar loss = 3*nu*U*length*sqr(wallPerVolume);
+    const scalar loss = 3*nu*U*longestSide()*sqr(wallPerVolume);
 
     return max(U, sqrt(loss));
 }
@@ -206,10 +211,15 @@ void Foam::SPH::weaklyCompressibleFlow::warnOfCompression()
     constexpr scalar largestMach = 0.3;
     constexpr scalar largestVariation = 0.05;
 
+    if (warned_)
+    {
+        return;
+    }
+
     const scalar Mach = gMax(mag(U_.primitiveField())())/fluid_.c;
     const scalar variation = gMax(mag(p_.primitiveField())())/sqr(fluid_.c);
 
-    if (!warned_ && (Mach > largestMach || variation > largestVariation))
+    if (Mach > largestMach || variation > largestVariation)
     {
         warned_ = true;
         WarningInFunction
@@ -269,8 +279,7 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
         velocityDrives =
             velocityDrives
          || (
-                Up.fixesValue()
-             && !Up.type().starts_with("pressure")
+                boundaryStates::givesVelocity(Up)
              && gMax(mag(Up & Up.patch().nf())()) > 0
             );
     }
@@ -278,9 +287,7 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
     const scalar tau = schemes_.getCheckOrDefault<scalar>
     (
         "absorptionTime",
-        (velocityDrives ? 1 : 0.1)
-       *cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()))
-       /fluid_.c,
+        (velocityDrives ? 1 : 0.1)*longestSide()/fluid_.c,
         [](const scalar value) { return value >= 0; }
     );
 
