@@ -206,6 +206,7 @@ void Foam::SPH::particleFaces::addPairs()
             continue;
         }
 
+        bool found = false;
         for (const labelList& periods : combinations)
         {
             vector offset(Zero);
@@ -231,8 +232,18 @@ void Foam::SPH::particleFaces::addPairs()
                     append(opposite, j, -A, atJ);
                     append(periods, i, A, atI);
                 }
+                found = true;
                 break;
             }
+        }
+
+        if (!found)
+        {
+            FatalErrorInFunction
+                << "The particles at " << data_.points[i] << " and "
+                << data_.points[j] << " are " << atI - atJ
+                << " apart at their face, which no period of the mesh is: "
+                << translations_ << exit(FatalError);
         }
     }
 

@@ -9,6 +9,7 @@ License
 
 #include "particleFiles.H"
 #include "compat.H"
+#include "IFstream.H"
 #include "labelIOList.H"
 #include "OSspecific.H"
 #include "SHA1.H"
@@ -39,6 +40,19 @@ void Foam::SPH::particleFiles::checkWritten
         FatalErrorInFunction
             << "Cannot write " << object.objectPath() << exit(FatalError);
     }
+}
+
+
+Foam::word Foam::SPH::particleFiles::entriesDigest(const fileName& file)
+{
+    IFstream is(file);
+    const dictionary dict(is);
+
+    const unsigned precision = IOstream::defaultPrecision(17);
+    const word digest(dict.digest().str(true));
+    IOstream::defaultPrecision(precision);
+
+    return digest;
 }
 
 
@@ -97,6 +111,7 @@ void Foam::SPH::particleFiles::requireCurrent() const
     const fileName path(time_.globalPath());
     const bool isFound = found();
     const dictionary was(properties().subOrEmptyDict("source"));
+    const dictionary is(sourceDigests(path.path(), true));
     if (!Pstream::master())
     {
         return;
@@ -112,8 +127,6 @@ void Foam::SPH::particleFiles::requireCurrent() const
             << "    To take the cells of a mesh as particles, give the option"
             << " -cells" << exit(FatalError);
     }
-
-    const dictionary is(sourceDigests(path.path(), true));
 
     for (const entry& e : is)
     {
@@ -152,7 +165,10 @@ Foam::dictionary Foam::SPH::particleFiles::sourceDigests
     dictionary digests;
     const auto add = [&](const word& name, const fileName& file)
     {
-        const word digest(fileDigest(fvmCase/file));
+        const word digest
+        (
+            Pstream::master() ? fileDigest(fvmCase/file) : word::null
+        );
         if (digest.size())
         {
             digests.add(name, digest);
@@ -170,7 +186,7 @@ Foam::dictionary Foam::SPH::particleFiles::sourceDigests
     }
 
     const fileName dict(fvmCase/"system"/"sphMeshDict");
-    digests.add("sphMeshDict", isFile(dict) ? fileDigest(dict) : word("none"));
+    digests.add("sphMeshDict", isFile(dict) ? entriesDigest(dict) : "none");
 
     return digests;
 }

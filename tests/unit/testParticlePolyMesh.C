@@ -12,6 +12,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "particleScene.H"
+#include "particleFaces.H"
 #include "cyclicFvPatch.H"
 #include "fvc.H"
 #include "fvmLaplacian.H"
@@ -389,6 +390,21 @@ TEST(ParticlePolyMesh, pairsAcrossTwoPeriodsHaveAPatchPair)
         EXPECT_NEAR(mag(period.x()), 1, 1e-12);
         EXPECT_NEAR(mag(period.y()), 1, 1e-12);
     }
+}
+
+
+TEST(ParticlePolyMesh, pairsAcrossNoPeriodAreAnError)
+{
+    const auto scene = particleScene::New("periodic", 0.3);
+    const auto particles = scene->assemble("order 1;");
+    particleMeshData data(particles->written());
+    data.delta[0] *= 3;
+
+    EXPECT_THROW
+    (
+        particleFaces(scene->mesh(), particles->space(), data),
+        Foam::error
+    );
 }
 
 
