@@ -60,6 +60,12 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
         );
     }
 
+    // A lattice of equal sites needs next to no relaxation
+    if (Foam::max(sizes) < 1.01*Foam::min(sizes))
+    {
+        sizes = scalar(Foam::min(sizes));
+    }
+
     setRange(Foam::min(sizes), Foam::max(sizes));
     tree_.reset(new growthTree(centres, sizes, slope_));
 }

@@ -21,6 +21,10 @@ namespace Foam
 {
 namespace SPH
 {
+    //- Part of the support whose pairs have areas of 1e-8 dp^(d-1) or less:
+    //- their two halves in cyclic patches would differ by round-off
+    static constexpr scalar kernelTail = 2e-3;
+
     //- Drop the pairs that a body hides from one another
     static void dropHiddenPairs
     (
@@ -97,7 +101,7 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
     scalarField radius(n);
     forAll(radius, i)
     {
-        radius[i] = W.support(data.spacing[i]);
+        radius[i] = (1 - kernelTail)*W.support(data.spacing[i]);
     }
 
     vectorField translations(periodicTranslations(mesh));

@@ -49,7 +49,7 @@ namespace SPH
         {
             "relaxation",
             {
-                "type", "tolerance", "disturbance", "momentum",
+                "type", "tolerance", "rmsTolerance", "disturbance", "momentum",
                 "maxIterations", "logInterval", "skin", "freeze", "repair",
                 "viscosity"
             }
@@ -77,6 +77,7 @@ namespace SPH
         (
             "kernel { type LaguerreGauss; smoothingRatio 1.3; }"
             "closure { type surfaceVector; splitCorners yes; }"
+            "relaxation { tolerance 1e-3; }"
         );
         const dictionary given(dict);
         dict.merge(dictionary(is));

@@ -32,8 +32,11 @@ bool Foam::SPH::convergenceMonitor::converged() const
     const record& last = history_.last();
 
     return
-        last.relativeResidual <= 1
-     && (last.kineticEnergy <= tolerance_ || last.relativeResidual <= 0.1);
+        last.rmsResidual <= rmsTolerance_
+     || (
+            last.relativeResidual <= 1
+         && (last.kineticEnergy <= tolerance_ || last.relativeResidual <= 0.1)
+        );
 }
 
 
@@ -48,6 +51,7 @@ void Foam::SPH::convergenceMonitor::log
 
     os  << "Iteration = " << last.iteration
         << "  residual = " << last.maxResidual
+        << "  rms = " << last.rmsResidual
         << "  kinetic energy = " << last.kineticEnergy
         << "  moving particles = " << nActive;
 

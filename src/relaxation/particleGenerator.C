@@ -411,6 +411,7 @@ void Foam::SPH::particleGenerator::generate()
         new convergenceMonitor
         (
             method_->tolerance(),
+            method_->rmsTolerance(),
             method_->logInterval(),
             method_->maxIterations()
         )

@@ -12,6 +12,8 @@ License
 #include "latticePattern.H"
 #include "IOstreams.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::SPH::relaxation::resetList()
@@ -249,21 +251,39 @@ void Foam::SPH::relaxation::findResiduals
 {
     scalar absolute = 0;
     scalar relative = 0;
+    scalar sumSqr = 0;
 
     for (const DynamicList<label>& targets : targets_)
     {
         #pragma omp parallel for reduction(max: absolute, relative) \
-            if (targets.size() > 2048)
+            reduction(+: sumSqr) if (targets.size() > 2048)
         for (label t = 0; t < targets.size(); ++t)
         {
             const label i = targets[t];
             absolute = max(absolute, residual_[i]);
             relative = max(relative, residual_[i]/tolerance(i));
+            sumSqr += sqr(residual_[i]);
         }
     }
 
     state.maxResidual = absolute;
     state.relativeResidual = relative;
+
+    const label nMoved =
+        std::count(touched_.begin(), touched_.end(), true);
+    scalar layerSqr = 0;
+    for (const label i : firstLayer_)
+    {
+        layerSqr += sqr(residual_[i]);
+    }
+    state.rmsResidual = sqrt
+    (
+        max
+        (
+            sumSqr/max(label(1), nMoved),
+            layerSqr/max(label(1), firstLayer_.size())
+        )
+    );
 }
 
 

@@ -32,6 +32,13 @@ Foam::SPH::relaxationMethod::relaxationMethod
 )
 :
     tolerance_(dict.getOrDefault<scalar>("tolerance", 1e-3)),
+    rmsTolerance_
+    (
+        dict.getOrDefault<scalar>
+        (
+            "rmsTolerance", dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 4e-3 : 2e-3
+        )
+    ),
     disturbance_(dict.getOrDefault<scalar>("disturbance", max(0.02, tolerance_))),
     momentum_(dict.getOrDefault<scalar>("momentum", defaultMomentum)),
     maxIterations_(dict.getOrDefault<label>("maxIterations", 2000)),
@@ -52,6 +59,7 @@ Foam::SPH::relaxationMethod::relaxationMethod
         }
     };
     check("tolerance", tolerance_, tolerance_ > 0);
+    check("rmsTolerance", rmsTolerance_, rmsTolerance_ >= 0);
     check("disturbance", disturbance_, disturbance_ > 0);
     check("maxIterations", maxIterations_, maxIterations_ >= 0);
     check("logInterval", logInterval_, logInterval_ > 0);

@@ -199,7 +199,11 @@ TEST(Relaxation, boxThatCellsDoNotFitIsFilledExactly)
 TEST(Relaxation, cylinderIsBodyFittedAndInEquilibrium)
 {
     testCase square(cylinder());
-    particleGenerator generator(square.mesh(), sphMeshDict("spacing 0.1;"));
+    particleGenerator generator
+    (
+        square.mesh(),
+        sphMeshDict("spacing 0.1; relaxation { tolerance 1e-3; }")
+    );
     generator.generate();
 
     ASSERT_EQ(generator.solids().size(), 1);
@@ -252,6 +256,23 @@ TEST(Relaxation, cylinderIsBodyFittedAndInEquilibrium)
     EXPECT_LE(history.last().maxResidual, 0.02);
     EXPECT_LT(history.last().kineticEnergy, 1e-3);
     EXPECT_NEAR(history.first().kineticEnergy, 1, 1e-12);
+}
+
+
+TEST(Relaxation, stopsWhenItsMeanResidualIsLow)
+{
+    testCase square(cylinder());
+    particleGenerator generator(square.mesh(), sphMeshDict("spacing 0.1;"));
+    generator.generate();
+
+    const auto& history = generator.monitor().history();
+    EXPECT_LE(history.last().rmsResidual, 2e-3);
+    EXPECT_GT(history.last().relativeResidual, 1);
+    EXPECT_LT(history.size(), 500);
+
+    const measures m(square.mesh(), generator);
+    EXPECT_GT(m.minDistance, 0.7);
+    EXPECT_GT(min(m.depth), 0.25);
 }
 
 
@@ -320,6 +341,7 @@ TEST(Relaxation, irregularPeriodicBoxComesToRest)
         (
             "spacing 0.05; kernel { smoothingRatio 1.3; }"
             "lattice { type square; jitter 0.3; seed 3; }"
+            "relaxation { tolerance 1e-3; }"
         )
     );
     generator.generate();
@@ -351,6 +373,7 @@ TEST(Relaxation, variableSpacingIsAchieved)
             "spacing { type refined; base 0.3;"
             "near { hole { spacing 0.08; growth 1.08; } } }"
             "kernel { smoothingRatio 1.3; }"
+            "relaxation { tolerance 1e-3; }"
         )
     );
     generator.generate();

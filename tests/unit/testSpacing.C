@@ -173,6 +173,20 @@ TEST_F(SpacingFunction, fromMeshFollowsTheCells)
 }
 
 
+TEST(Spacing, equalCellsGiveALattice)
+{
+    testCase box(testCase::layout{});
+    const patchSurface surface(box.mesh(), solutionSpace(box.mesh()));
+    const auto spacing = spacingFunction::New
+    (
+        surface,
+        dictionary(IStringStream("spacing fromMesh;")())
+    );
+    EXPECT_TRUE(spacing->uniform());
+    EXPECT_NEAR(spacing->min(), std::sqrt(box.mesh().V()[0]/0.1), 1e-10);
+}
+
+
 TEST_F(SpacingFunction, errorsSayWhatIsValid)
 {
     expectError("", {"'spacing'", "fromMesh", "refined", "uniform"});
