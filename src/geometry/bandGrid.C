@@ -148,42 +148,6 @@ Foam::labelVector Foam::SPH::bandGrid::coordinates(const label node) const
 }
 
 
-Foam::label Foam::SPH::bandGrid::block(const labelVector& ijk) const
-{
-    labelVector block(Zero);
-
-    for (label d = 0; d < nDims_; ++d)
-    {
-        if (ijk[d] < 0 || ijk[d] >= nBlocks_[d]*blockSize)
-        {
-            return -1;
-        }
-        block[d] = ijk[d]/blockSize;
-    }
-
-    return blockIndex(block);
-}
-
-
-Foam::label Foam::SPH::bandGrid::find(const labelVector& ijk) const
-{
-    const label blocki = block(ijk);
-
-    if (blocki < 0 || !active(blocki))
-    {
-        return -1;
-    }
-
-    labelVector local(Zero);
-    for (label d = 0; d < nDims_; ++d)
-    {
-        local[d] = ijk[d] % blockSize;
-    }
-
-    return localNode(activeBlock_[blocki], local);
-}
-
-
 Foam::point Foam::SPH::bandGrid::position(const labelVector& ijk) const
 {
     point x(origin_);

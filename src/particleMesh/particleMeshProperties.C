@@ -31,7 +31,7 @@ namespace SPH
     static const wordList validEntries
     ({
         "scheme", "spacing", "kernel", "lattice", "bodies", "relaxation",
-        "closure", "levelSet", "zone"
+        "closure", "zone"
     });
 
     //- Entries of its sub-dictionaries
@@ -60,8 +60,7 @@ namespace SPH
                 "type", "order", "sweeps", "tolerance", "maxIterations",
                 "volumes", "threshold", "splitCorners"
             }
-        },
-        {"levelSet", {"method", "gridRatio"}}
+        }
     });
 
     //- Entries of each body
@@ -69,6 +68,33 @@ namespace SPH
     ({
         "patches", "surface", "scale", "maxHoleSize", "smoothingRatio"
     });
+
+    //- Entries of each patch and each region of the spacing
+    static const wordList nearEntries({"spacing", "growth", "layers"});
+
+    static const wordList regionEntries
+    ({
+        "type", "min", "max", "centre", "radius", "point1", "point2",
+        "spacing", "growth", "layers"
+    });
+
+    //- Check the entries of each sub-dictionary of a group, if there is one
+    static void checkGroup
+    (
+        const dictionary& dict,
+        const word& group,
+        const wordList& valid,
+        const fileName& file
+    )
+    {
+        for (const entry& e : dict.subOrEmptyDict(group))
+        {
+            if (e.isDict())
+            {
+                checkEntries(e.dict(), valid, file);
+            }
+        }
+    }
 
     //- What scheme papers stands for, but for what the dictionary says
     static void setPapers(dictionary& dict)
@@ -204,12 +230,11 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
             checkEntries(dict.subDict(sub.first()), sub.second(), file);
         }
     }
-    for (const entry& e : dict.subOrEmptyDict("bodies"))
+    checkGroup(dict, "bodies", bodyEntries, file);
+    if (dict.isDict("spacing"))
     {
-        if (e.isDict())
-        {
-            checkEntries(e.dict(), bodyEntries, file);
-        }
+        checkGroup(dict.subDict("spacing"), "near", nearEntries, file);
+        checkGroup(dict.subDict("spacing"), "regions", regionEntries, file);
     }
 
     if (checkedWord(dict, "scheme", "none", {"none", "papers"}) == "papers")

@@ -29,6 +29,15 @@ Foam::SPH::comparisonControls::comparisonControls(const dictionary& dict)
         }
     );
 
+    for (const entry& e : lines())
+    {
+        checkEntries(e.dict(), {"start", "end", "nPoints"});
+    }
+    for (const entry& e : views())
+    {
+        checkEntries(e.dict(), {"min", "max", "normal", "origin"});
+    }
+
     if (nContours_ < 0)
     {
         FatalIOErrorInFunction(dict)

@@ -558,6 +558,14 @@ TEST(ComparisonControls, nameWrongEntriesAndValidChoices)
     EXPECT_TRUE(contains(message("contour 3;"), "contour"));
     EXPECT_TRUE(contains(message("contour 3;"), "contours"));
     EXPECT_TRUE(contains(message("contours -1;"), "0 or more"));
+    EXPECT_TRUE
+    (
+        contains(message("lines { a { begin (0 0 0); } }"), "end nPoints")
+    );
+    EXPECT_TRUE
+    (
+        contains(message("views { a { center (0 0 0); } }"), "max normal")
+    );
     EXPECT_TRUE(contains(message("ranges { p (2 2); }"), "lowest highest"));
 }
 
