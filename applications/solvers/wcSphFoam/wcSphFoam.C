@@ -18,6 +18,7 @@ Description
 #include "fvCFD.H"
 #include "weaklyCompressibleFlow.H"
 #include "treatedParticleMesh.H"
+#include "version.H"
 
 int main(int argc, char *argv[])
 {
@@ -28,6 +29,7 @@ int main(int argc, char *argv[])
     SPH::flowSolver::addOptions();
 
     #include "setRootCaseLists.H"
+    SPH::printVersion();
     #include "createTime.H"
     #include "createReadMesh.H"
 

@@ -44,6 +44,7 @@ Usage
 #include "qualityPicture.H"
 #include "solidBodies.H"
 #include "solidParticles.H"
+#include "version.H"
 #include "virtualDisplay.H"
 #include "zoneParticles.H"
 
@@ -60,6 +61,7 @@ int main(int argc, char *argv[])
     argList::addOption("view", "boundBox", "Part of the particles to draw");
 
     #include "setRootCase.H"
+    SPH::printVersion();
     #include "createTime.H"
     #include "createMesh.H"
 

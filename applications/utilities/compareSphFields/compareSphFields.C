@@ -31,6 +31,7 @@ Usage
 #include "particleCase.H"
 #include "particlesToMesh.H"
 #include "timeSelector.H"
+#include "version.H"
 #include "virtualDisplay.H"
 
 using namespace Foam;
@@ -87,6 +88,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("noPictures", "Norms and profiles only");
 
     #include "setRootCase.H"
+    SPH::printVersion();
     #include "createTime.H"
     #include "createNamedMesh.H"
 

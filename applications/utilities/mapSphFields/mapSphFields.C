@@ -21,6 +21,7 @@ Usage
 #include "fvCFD.H"
 #include "particlesToMesh.H"
 #include "timeSelector.H"
+#include "version.H"
 
 using namespace Foam;
 
@@ -42,6 +43,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    SPH::printVersion();
     #include "createTime.H"
     #include "createMesh.H"
 

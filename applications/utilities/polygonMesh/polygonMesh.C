@@ -39,6 +39,7 @@ Usage
 #include "Time.H"
 #include "IOdictionary.H"
 #include "prismMesh.H"
+#include "version.H"
 
 using namespace Foam;
 using namespace Foam::SPH;
@@ -66,6 +67,7 @@ int main(int argc, char *argv[])
     argList::addOption("dict", "file", "Alternative to system/polygonMeshDict");
 
     #include "setRootCase.H"
+    printVersion();
     #include "createTime.H"
 
     const IOdictionary dict

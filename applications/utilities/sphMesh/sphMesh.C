@@ -47,6 +47,7 @@ Usage
 #include "particleMeshProperties.H"
 #include "startFields.H"
 #include "surfaceVectorClosure.H"
+#include "version.H"
 #include "OSspecific.H"
 
 using namespace Foam;
@@ -175,6 +176,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("overwrite", "Generate anew in any case");
 
     #include "setRootCase.H"
+    printVersion();
     #include "createTime.H"
 
     if (args.found("init"))
