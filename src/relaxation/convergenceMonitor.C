@@ -55,24 +55,13 @@ void Foam::SPH::convergenceMonitor::log
         << "  kinetic energy = " << last.kineticEnergy
         << "  moving particles = " << nActive;
 
-    // The residual falls about geometrically
-    const label back = history_.size() - 1 - logInterval_;
-    if (back >= 0 && last.relativeResidual > 1)
-    {
-        const scalar perIteration = clock_.elapsedTime()/history_.size();
-        const scalar decay =
-            Foam::log(history_[back].relativeResidual/last.relativeResidual)
-           /logInterval_;
+    // When the residual, a maximum, falls below the tolerance cannot be told
+    // from how it fell so far
+    const label nLeft = lastIteration - last.iteration;
+    const scalar seconds = clock_.timeIncrement()*nLeft/logInterval_;
 
-        scalar nLeft = lastIteration - last.iteration;
-        if (decay > 0)
-        {
-            nLeft = min(nLeft, Foam::log(last.relativeResidual)/decay);
-        }
-        os  << "  time left = " << round(10*nLeft*perIteration)/10 << " s";
-    }
-
-    os  << endl;
+    os  << "  left at most = " << nLeft << " iterations, "
+        << round(10*seconds)/10 << " s" << endl;
 }
 
 

@@ -412,8 +412,7 @@ void Foam::SPH::particleGenerator::generate()
         (
             method_->tolerance(),
             method_->rmsTolerance(),
-            method_->logInterval(),
-            method_->maxIterations()
+            method_->logInterval()
         )
     );
     const cpuTime clock;

@@ -453,6 +453,34 @@ TEST(Relaxation, skinAndFreezingDoNotChangeTheEquilibrium)
 }
 
 
+TEST(ConvergenceMonitor, saysWhatIsLeftAtMost)
+{
+    convergenceMonitor monitor(1e-3, 50);
+    EXPECT_TRUE(monitor.logs(150));
+    EXPECT_FALSE(monitor.logs(140));
+
+    convergenceMonitor::record state;
+    state.iteration = 150;
+    state.kineticEnergy = 3;
+    state.maxResidual = 0.01;
+    state.relativeResidual = 10;
+    monitor.add(state);
+    EXPECT_FALSE(monitor.converged());
+
+    // Ever fewer iterations, at whatever rate
+    OStringStream os;
+    monitor.log(os, 7, 2000);
+    const std::string line(os.str());
+    EXPECT_NE(line.find("Iteration = 150 "), std::string::npos) << line;
+    EXPECT_NE(line.find("left at most = 1850 it"), std::string::npos) << line;
+
+    state.relativeResidual = 0.9;
+    state.kineticEnergy = 2e-3;
+    monitor.add(state);
+    EXPECT_TRUE(monitor.converged());
+}
+
+
 TEST(Relaxation, badInputIsNamed)
 {
     testCase square(cylinder());
