@@ -89,14 +89,24 @@ void Foam::SPH::flowSolver::setStart()
 }
 
 
-void Foam::SPH::flowSolver::getVelocity(volVectorField& U) const
+void Foam::SPH::flowSolver::getVelocity(volVectorField& U)
 {
+    vectorField& Ui = U.primitiveFieldRef();
+
+    sqrU_ = 0;
+    sqrChange_ = 0;
     for (label d = 0; d < loopDims(particles_); ++d)
     {
-        U.primitiveFieldRef().replace
-        (
-            particles_.space().axis(d), law_->primitive(1 + d)
-        );
+        const direction axis = particles_.space().axis(d);
+        const scalar* now = law_->W()[1 + d];
+
+        forAll(Ui, i)
+        {
+            const scalar V = particles_.V()[i];
+            sqrU_ += V*sqr(now[i]);
+            sqrChange_ += V*sqr(now[i] - Ui[i][axis]);
+            Ui[i][axis] = now[i];
+        }
     }
 }
 
@@ -110,6 +120,13 @@ void Foam::SPH::flowSolver::getMomentum(volVectorField& rhoU) const
             particles_.space().axis(d), law_->conserved(1 + d)
         );
     }
+}
+
+
+Foam::scalar Foam::SPH::flowSolver::longestSide() const
+{
+    return
+        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()));
 }
 
 
@@ -165,7 +182,10 @@ Foam::SPH::flowSolver::flowSolver
     nDropped_(0),
     nHalved_(0),
     subIndex_(-1),
-    longest_(0)
+    longest_(0),
+    volume_(gSum(particles.V())),
+    sqrU_(0),
+    sqrChange_(0)
 {
     if
     (

@@ -150,6 +150,21 @@ void Foam::SPH::flowSolver::step
 }
 
 
+void Foam::SPH::flowSolver::printDrift() const
+{
+    const scalar sqrU = returnReduce(sqrU_, sumOp<scalar>());
+    const scalar sqrChange = returnReduce(sqrChange_, sumOp<scalar>());
+
+    if (sqrU > 0)
+    {
+        const scalar change = Foam::sqrt(sqrChange/sqrU);
+        const scalar passage = longestSide()/Foam::sqrt(sqrU/volume_);
+
+        Info<< "Drift of U: " << change*passage/runTime_.deltaTValue() << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::flowSolver::setDeltaT()
@@ -227,6 +242,7 @@ void Foam::SPH::flowSolver::advance()
     }
 
     updateFields();
+    printDrift();
 }
 
 

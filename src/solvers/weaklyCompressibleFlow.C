@@ -71,13 +71,6 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::viscosity() const
 }
 
 
-Foam::scalar Foam::SPH::weaklyCompressibleFlow::longestSide() const
-{
-    return
-        cmptMax(particles_.space().toLocal(particles_.mesh().bounds().span()));
-}
-
-
 Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
 (
     const scalar nu
