@@ -24,12 +24,12 @@ namespace SPH
          && io.headerClassName().endsWith("Field");
     }
 
-    //- volFields of one method: those of SPH without their group "sph", those
-    //- of FVM without any group
+    //- volFields of one method: those of SPH without their group "sph", or
+    //- all others
     static HashTable<word> classes
     (
         const IOobjectList& objects,
-        const word& group,
+        const bool ofSph,
         const wordRes& names
     )
     {
@@ -37,12 +37,15 @@ namespace SPH
         forAllConstIters(objects, iter)
         {
             const IOobject& io = *iter();
-            const word field(IOobject::member(io.name()));
+            const word field
+            (
+                ofSph ? IOobject::member(io.name()) : io.name()
+            );
 
             if
             (
                 isVolField(io)
-             && IOobject::group(io.name()) == group
+             && (IOobject::group(io.name()) == "sph") == ofSph
              && (names.empty() || names.match(field))
             )
             {
@@ -101,11 +104,11 @@ Foam::SPH::commonFields::commonFields
     {
         const HashTable<word> sph
         (
-            classes(IOobjectList(mesh, time.name()), "sph", names)
+            classes(IOobjectList(mesh, time.name()), true, names)
         );
         const HashTable<word> fvm
         (
-            classes(reference.objects(time), word::null, names)
+            classes(reference.objects(time), false, names)
         );
 
         DynamicList<word> common;

@@ -385,12 +385,15 @@ TEST(CommonFields, namesTheTimesOfBothMethodsWhereNoneIsCommon)
     EXPECT_TRUE(contains(message, "at times: 1 2")) << message;
     EXPECT_TRUE(contains(message, "at times: 3")) << message;
 
+    // Fields of a phase have a group of their own
     box.write("2/p.sph", p, "volScalarField");
+    box.write("2/T.air", p, "volScalarField");
+    box.write("2/T.air.sph", p, "volScalarField");
     const commonFields common(box.mesh(), reference, wordRes());
     EXPECT_EQ(commonFields::names(common.times()), "2");
     EXPECT_EQ(commonFields::names(common.fvmOnly()), "1");
     EXPECT_EQ(commonFields::names(common.sphOnly()), "3");
-    EXPECT_EQ(common.fields(common.times()[0]), wordList({"p"}));
+    EXPECT_EQ(common.fields(common.times()[0]), wordList({"T.air", "p"}));
 
     const std::string noMatch
     (
