@@ -11,7 +11,9 @@
 # Description
 #     Draws a column of tables of comma-separated values over their first column
 #     as an SVG, one curve for each file, named after it. The ordinate is
-#     logarithmic; values that are not positive are left out.
+#     logarithmic; values that are not positive are left out. With -v logX=1 the
+#     abscissa is logarithmic too, points are marked, and a curve's name is
+#     followed by its slope, of least squares.
 #
 #         awk -v title='Residual' -v xLabel=iteration -v yLabel=residual \
 #             -v column=3 -f etc/plotCurves.awk a.csv b.csv > residual.svg
@@ -22,6 +24,7 @@ BEGIN {
     width = 720; height = 460
     left = 80; right = 20; top = 44; bottom = 60
     split("#1f77b4 #d62728 #2ca02c #9467bd #ff7f0e #8c564b", colours, " ")
+    xMin = 0
     xMax = 0
     nCurves = 0
 }
@@ -30,18 +33,20 @@ FNR == 1 {
     ++nCurves
     name = FILENAME
     sub(/.*\//, "", name)
-    sub(/\.csv$/, "", name)
+    sub(/(\.curve)?\.csv$/, "", name)
     names[nCurves] = name
     count[nCurves] = 0
     next
 }
 
-$column > 0 {
+$column > 0 && (!logX || $1 > 0) {
+    x = logX ? log($1)/log(10) : $1
     y = log($column)/log(10)
     k = ++count[nCurves]
-    xs[nCurves, k] = $1
+    xs[nCurves, k] = x
     ys[nCurves, k] = y
-    if ($1 > xMax) xMax = $1
+    if (x > xMax || logX && !started) xMax = x
+    if (logX && (!started || x < xMin)) xMin = x
     if (!started || y < yMin) yMin = y
     if (!started || y > yMax) yMax = y
     started = 1
@@ -54,12 +59,32 @@ function floor(v)
 
 function toX(x)
 {
-    return left + (width - left - right)*(xMax > 0 ? x/xMax : 0)
+    return left + (width - left - right) \
+       *(xMax > xMin ? (x - xMin)/(xMax - xMin) : 0)
 }
 
 function toY(y)
 {
     return height - bottom - (height - top - bottom)*(y - yMin)/(yMax - yMin)
+}
+
+function decade(v)
+{
+    return v >= -1 && v <= 4 ? 10^v "" : "1e" v
+}
+
+# Slope of the curve c
+function slope(c,    k, n, x, y, xx, xy)
+{
+    n = count[c]
+    for (k = 1; k <= n; ++k)
+    {
+        x += xs[c, k]
+        y += ys[c, k]
+        xx += xs[c, k]^2
+        xy += xs[c, k]*ys[c, k]
+    }
+    return n*xx > x*x ? sprintf("%.2f", (n*xy - x*y)/(n*xx - x*x)) : "-"
 }
 
 function text(x, y, anchor, s)
@@ -94,12 +119,19 @@ END {
             left, toY(y), width - right
         text(left - 6, toY(y) + 4, "end", "1e" y)
     }
-    for (i = 0; i <= 5; ++i)
+    if (logX)
     {
+        xMin = floor(xMin)
+        xMax = floor(xMax) + 1
+    }
+    step = logX ? 1 : xMax/5
+    for (i = 0; xMin + i*step < xMax + 0.5*step; ++i)
+    {
+        x = xMin + i*step
         printf "<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/>\n",
-            toX(xMax*i/5), top, height - bottom
-        text(toX(xMax*i/5), height - bottom + 18, "middle",
-            sprintf("%.4g", xMax*i/5))
+            toX(x), top, height - bottom
+        text(toX(x), height - bottom + 18, "middle",
+            logX ? decade(x) : sprintf("%.4g", x))
     }
 
     for (c = 1; c <= nCurves; ++c)
@@ -111,9 +143,15 @@ END {
             printf "%.1f,%.1f ", toX(xs[c, k]), toY(ys[c, k])
         }
         print "\"/>"
+        for (k = 1; logX && k <= count[c]; ++k)
+        {
+            printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n",
+                toX(xs[c, k]), toY(ys[c, k]), colours[(c - 1) % 6 + 1]
+        }
         printf "<path d=\"M%d %dh24\" stroke=\"%s\" stroke-width=\"3\"/>\n",
             width - 200, top + 18*c - 4, colours[(c - 1) % 6 + 1]
-        text(width - 170, top + 18*c, "start", names[c])
+        text(width - 170, top + 18*c, "start",
+            names[c] (logX ? ", slope " slope(c) : ""))
     }
     print "</svg>"
 }

@@ -9,18 +9,17 @@ Application
     taylorGreenError
 
 Description
-    Error of the velocities of the Taylor-Green vortex in a particle case of the
-    periodic unit square against the exact incompressible flow,
+    Error of the velocities of the Taylor-Green vortex in cells or particles of
+    the periodic unit square against the exact incompressible flow,
 
         u = exp(-8 pi^2 nu t) (-cos 2 pi x sin 2 pi y, sin 2 pi x cos 2 pi y)
 
 Usage
-    \b taylorGreenError -case sph
+    \b taylorGreenError [-case sph]
 
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "particleMesh.H"
 
 using namespace Foam;
 
@@ -37,7 +36,6 @@ int main(int argc, char *argv[])
     const instantList times(runTime.times());
     runTime.setTime(times.last(), times.size() - 1);
 
-    const SPH::particleMesh particles(mesh);
     const volVectorField U
     (
         IOobject("U", runTime.timeName(), mesh, IOobject::MUST_READ),
@@ -64,15 +62,15 @@ int main(int argc, char *argv[])
     scalar largest = 0;
     forAll(U, i)
     {
-        const vector x(k*particles.C()[i]);
+        const vector x(k*mesh.C()[i]);
         const vector exact
         (
             -decay*std::cos(x.x())*std::sin(x.y()),
             decay*std::sin(x.x())*std::cos(x.y()),
             0
         );
-        error += particles.V()[i]*magSqr(U[i] - exact);
-        reference += particles.V()[i]*magSqr(exact);
+        error += mesh.V()[i]*magSqr(U[i] - exact);
+        reference += mesh.V()[i]*magSqr(exact);
         largest = max(largest, mag(U[i] - exact));
     }
 
