@@ -12,6 +12,7 @@ License
 #include "particleMoments.H"
 #include "addToRunTimeSelectionTable.H"
 #include "ListOps.H"
+#include "symmetryPlaneFvPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -135,15 +136,19 @@ void Foam::SPH::surfaceVectorClosure::close
     boundaryFaceList faces;
     forAll(patchFaces, patchi)
     {
+        const bool planar =
+            isA<symmetryPlaneFvPatch>(mesh.boundary()[patchi]);
         for (const part& side : patchFaces[patchi])
         {
             const vector r(side.face.hit - data.points[side.owner]);
+            // OpenFOAM's symmetry planes have one normal
+            const vector& n = side.face.normal;
             faces.append
             (
                 side.owner,
-                side.Sf,
+                planar ? vector((side.Sf & n)*n) : side.Sf,
                 side.face.hit,
-                mag(r & side.face.normal),
+                mag(r & n),
                 side.face.facei
             );
         }
