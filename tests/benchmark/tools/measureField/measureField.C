@@ -30,10 +30,6 @@ Usage
       - \par -exact \<name\>
         L1, L2, Linf: of the difference to another field, averaged by volume
 
-      - \par -reference \<case\>
-        The same to the field of a case with a finer mesh, averaged by volume
-        over the cells whose centres lie in a cell of this mesh
-
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -126,35 +122,6 @@ static void reportCrossing
 }
 
 
-//- Average of the values of a finer mesh over those of its cells whose centres
-//- lie in a cell of this mesh
-static tmp<scalarField> average(const volScalarField& fine, const fvMesh& mesh)
-{
-    const scalarField& V = fine.mesh().V();
-    scalarField sumV(mesh.nCells(), Zero);
-    auto tsum = tmp<scalarField>::New(mesh.nCells(), Zero);
-
-    forAll(V, i)
-    {
-        const label celli = mesh.findCell(fine.mesh().C()[i]);
-        if (celli >= 0)
-        {
-            sumV[celli] += V[i];
-            tsum.ref()[celli] += V[i]*fine[i];
-        }
-    }
-
-    if (min(sumV) <= 0)
-    {
-        FatalErrorInFunction
-            << "The mesh of " << fine.time().path() << " is not finer than"
-            << " that of " << mesh.time().path() << exit(FatalError);
-    }
-
-    return tsum/sumV;
-}
-
-
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
@@ -167,7 +134,6 @@ int main(int argc, char *argv[])
     argList::addOption("point", "point", "Point to interpolate to");
     argList::addOption("box", "points", "Least and greatest corner of a box");
     argList::addOption("exact", "name", "Field to compare with");
-    argList::addOption("reference", "case", "Case to compare with");
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -229,34 +195,6 @@ int main(int argc, char *argv[])
         (
             f,
             readField(runTime, mesh, args.get<word>("exact")).primitiveField()
-        );
-    }
-
-    if (args.found("reference"))
-    {
-        // SPH and FVM of this case have the same FVM reference
-        const fileName path(args.get<fileName>("reference"));
-        Time otherTime
-        (
-            Time::controlDictName,
-            path.path(),
-            fileName(path.name())
-        );
-        const fvMesh otherMesh
-        (
-            IOobject
-            (
-                polyMesh::defaultRegion,
-                otherTime.timeName(),
-                otherTime,
-                IOobject::MUST_READ
-            )
-        );
-        const word plain(IOobject::member(name));
-        reportNorms
-        (
-            f,
-            average(readField(otherTime, otherMesh, plain), mesh)
         );
     }
 
