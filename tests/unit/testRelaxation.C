@@ -455,7 +455,7 @@ TEST(Relaxation, skinAndFreezingDoNotChangeTheEquilibrium)
 
 TEST(ConvergenceMonitor, saysWhatIsLeftAtMost)
 {
-    convergenceMonitor monitor(1e-3, 50);
+    convergenceMonitor monitor(1e-3, 0, 50);
     EXPECT_TRUE(monitor.logs(150));
     EXPECT_FALSE(monitor.logs(140));
 
