@@ -32,7 +32,7 @@ bool Foam::SPH::convergenceMonitor::converged() const
     const record& last = history_.last();
 
     return
-        last.rmsResidual <= rmsTolerance_
+        last.rmsResidual < rmsTolerance_
      || (
             last.relativeResidual <= 1
          && (last.kineticEnergy <= tolerance_ || last.relativeResidual <= 0.1)
