@@ -119,6 +119,8 @@ Foam::SPH::conservationLaw::conservationLaw
     closed_(false),
     Q_(nVariables, pairs_.nSlices()),
     Q0_(nVariables, pairs_.nSlices()),
+    Qp_(nVariables, 0),
+    R0_(nVariables, 0),
     W_(nVariables, haloExchange::nSlices(particles_)),
     R_(nVariables, pairs_.nSlices()),
     nFallbacks_(0),
@@ -235,6 +237,14 @@ Foam::label Foam::SPH::conservationLaw::nFallbacks()
 void Foam::SPH::conservationLaw::store()
 {
     Q0_ = Q_;
+}
+
+
+bool Foam::SPH::conservationLaw::startSuperStep(const scalar bDt)
+{
+    Qp_ = Q0_;
+    R0_ = R_;
+    return update(0, bDt, 0, nVariables());
 }
 
 

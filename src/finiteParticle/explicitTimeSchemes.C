@@ -54,12 +54,6 @@ protected:
         return true;
     }
 
-public:
-
-    virtual label nStages() const
-    {
-        return nOldWeights;
-    }
 };
 
 
@@ -115,6 +109,98 @@ public:
 };
 
 
+//- SSPRK3, or where diffusion would shorten its steps a super time step of
+//- RKL2: s stages whose steps grow as s^2; Meyer, Balsara, Aslam, J. Comput.
+//- Phys. 257 (2014) 594, eq. 15-17. With five stages or more, odd, acoustic
+//- waves of upwind fluxes are stable as well up to a Courant number of 0.9, and
+//- the more so the more stages (eigenvalues of the one-dimensional scheme)
+class automatic
+:
+    public SSPRK3
+{
+    //- Diffusive rate of the state that the step was found for [1/s]
+    scalar diffusion_ = 0;
+
+    //- Longest step of SSPRK3 [s]
+    scalar shortStep_ = GREAT;
+
+    //- b_j
+    static scalar b(const label j)
+    {
+        return j < 3 ? 1.0/3.0 : (j*j + j - 2)/(2.0*j*(j + 1));
+    }
+
+    //- Least odd number of stages for a step, 5 or more
+    label nStages(const scalar dt) const
+    {
+        // Stable up to eigenvalues of (s^2 + s - 2)/2, less a tenth
+        const scalar q = dt*diffusion_/(0.9*0.25);
+        const label s = std::ceil(0.5*(std::sqrt(9 + 4*q) - 1));
+        return max(label(5), s + 1 - s % 2);
+    }
+
+protected:
+
+    virtual bool stages
+    (
+        conservationLaw& law,
+        faceStates& faces,
+        const scalar dt,
+        const scalar timeLeft
+    ) const
+    {
+        if (dt <= (1 + 1e-9)*shortStep_)
+        {
+            return SSPRK3::stages(law, faces, dt, timeLeft);
+        }
+
+        const label s = nStages(dt);
+        const scalar w = 4.0/(s*s + s - 2);
+
+        evaluate(law, faces, timeLeft + dt);
+        if (!law.startSuperStep(w*b(1)*dt))
+        {
+            return false;
+        }
+
+        for (label j = 2; j <= s; ++j)
+        {
+            const scalar mu = (2*j - 1)*b(j)/(j*b(j - 1));
+            const scalar nu = -(j - 1)*b(j)/(j*b(j - 2));
+            const scalar rate = mu*w*dt;
+
+            // Times of the stages: c_1 = c_2/4
+            const label k = j - 1;
+            const scalar c = k == 1 ? 0.25*w : 0.25*w*(k*k + k - 2);
+            evaluate(law, faces, timeLeft + (1 - c)*dt);
+            if (!law.superStep(mu, nu, rate, -(1 - b(j - 1))*rate))
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
+public:
+
+    TypeName("automatic");
+
+    virtual scalar stableDeltaT
+    (
+        const conservationLaw& law,
+        const scalar maxCo
+    )
+    {
+        shortStep_ = SSPRK3::stableDeltaT(law, maxCo);
+        diffusion_ = law.stableRate(GREAT, 1);
+
+        const scalar longStep = 1/law.stableRate(maxCo, GREAT);
+        return
+            nStages(longStep)*shortStep_ < 3*longStep ? longStep : shortStep_;
+    }
+};
+
+
 //- Scheme of [B]: momentum first, then mass and energy with the new momentum
 class symplecticEuler
 :
@@ -146,11 +232,6 @@ public:
 
     TypeName("symplecticEuler");
 
-    virtual label nStages() const
-    {
-        return 2;
-    }
-
     virtual scalar defaultCo() const
     {
         return 0.5;
@@ -170,6 +251,9 @@ addToRunTimeSelectionTable(timeScheme, SSPRK2, empty);
 
 defineTypeNameAndDebug(SSPRK3, 0);
 addToRunTimeSelectionTable(timeScheme, SSPRK3, empty);
+
+defineTypeNameAndDebug(automatic, 0);
+addToRunTimeSelectionTable(timeScheme, automatic, empty);
 
 defineTypeNameAndDebug(symplecticEuler, 0);
 addToRunTimeSelectionTable(timeScheme, symplecticEuler, empty);

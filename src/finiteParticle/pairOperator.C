@@ -229,12 +229,10 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
 
 
 template<class Flux, class Limiter, bool Viscous>
-bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
+template<class SetConserved>
+bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setState
 (
-    const scalar a,
-    const scalar bDt,
-    const label first,
-    const label last
+    const SetConserved& setConserved
 )
 {
     const Flux flux(flux_);
@@ -244,13 +242,7 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
     #pragma omp parallel for reduction(&&:admissible)
     for (label i = 0; i < n; ++i)
     {
-        const scalar rate = bDt/V_[0][i];
-
-        for (label v = first; v < last; ++v)
-        {
-            Q_[v][i] =
-                (1 - a)*Q_[v][i] + a*Q0_[v][i] + rate*R_[v][i];
-        }
+        setConserved(i);
 
         const vars W(flux.primitive(load(Q_, i)));
         save(W, W_, i);
@@ -259,6 +251,59 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
     }
 
     return returnReduce(admissible, andOp<bool>());
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
+(
+    const scalar a,
+    const scalar bDt,
+    const label first,
+    const label last
+)
+{
+    return setState
+    (
+        [&](const label i)
+        {
+            const scalar rate = bDt/V_[0][i];
+
+            for (label v = first; v < last; ++v)
+            {
+                Q_[v][i] =
+                    (1 - a)*Q_[v][i] + a*Q0_[v][i] + rate*R_[v][i];
+            }
+        }
+    );
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::superStep
+(
+    const scalar mu,
+    const scalar nu,
+    const scalar bDt,
+    const scalar gDt
+)
+{
+    return setState
+    (
+        [&](const label i)
+        {
+            const scalar rV = 1/V_[0][i];
+
+            for (label v = 0; v < nVariables(); ++v)
+            {
+                const scalar Q = Q_[v][i];
+                Q_[v][i] =
+                    mu*Q + nu*Qp_[v][i] + (1 - mu - nu)*Q0_[v][i]
+                  + rV*(bDt*R_[v][i] + gDt*R0_[v][i]);
+                Qp_[v][i] = Q;
+            }
+        }
+    );
 }
 
 

@@ -42,7 +42,7 @@ Foam::autoPtr<Foam::SPH::timeScheme> Foam::SPH::timeScheme::New
     const dictionary& schemes
 )
 {
-    const word scheme(schemes.getOrDefault<word>("timeScheme", "SSPRK3"));
+    const word scheme(schemes.getOrDefault<word>("timeScheme", "automatic"));
 
     const auto cstrIter = emptyConstructorTablePtr_->cfind(scheme);
 
@@ -60,6 +60,16 @@ Foam::autoPtr<Foam::SPH::timeScheme> Foam::SPH::timeScheme::New
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::SPH::timeScheme::stableDeltaT
+(
+    const conservationLaw& law,
+    const scalar maxCo
+)
+{
+    return 1/law.stableRate(maxCo, maxDiffusion());
+}
+
 
 bool Foam::SPH::timeScheme::advance
 (

@@ -10,11 +10,11 @@ License
 #include "patchSurface.H"
 #include "Time.H"
 #include "cyclicPolyPatch.H"
-#include "cyclicAMIPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "HashSet.H"
 #include "SubField.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -45,18 +45,78 @@ void checkPatchTypes(const polyMesh& mesh)
                 << exit(FatalError);
         }
 
+        // Overset patches are not coupled, and generic without their library
+        OStringStream os;
+        pp.write(os);
+        const word type(dictionary(IStringStream(os.str())()).get<word>("type"));
+
         if
         (
-            pp.coupled()
-         && !isA<cyclicPolyPatch>(pp)
-         && !isA<cyclicAMIPolyPatch>(pp)
+            (pp.coupled() && !isA<cyclicPolyPatch>(pp))
+         || type == "overset"
         )
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " in " << meshPath(mesh)
-                << " has the coupled type " << pp.type()
-                << ", which is not supported. Valid coupled types: cyclic,"
-                << " cyclicAMI" << exit(FatalError);
+                << " has type " << type << ", which is not supported."
+                << " Valid coupled patch types: cyclic" << exit(FatalError);
+        }
+    }
+}
+
+
+//- FatalError if boundary faces lie back to back: walls of no thickness
+void checkBaffles(const polyMesh& mesh)
+{
+    labelList faces;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!pp.coupled() && !isA<emptyPolyPatch>(pp))
+        {
+            faces.append(identity(pp.size(), pp.start()));
+        }
+    }
+
+    // Faces in one place are neighbours along any direction; this one is that
+    // of no grid line
+    const vector direction(0.5434, 0.6180, 0.5681);
+    const scalarField along
+    (
+        pointField(mesh.faceCentres(), faces) & direction
+    );
+    const labelList order(sortedOrder(along));
+
+    forAll(order, i)
+    {
+        const label facei = faces[order[i]];
+        const vector& Sf = mesh.faceAreas()[facei];
+        const scalar tolerance = 1e-4*sqrt(mag(Sf));
+
+        for
+        (
+            label j = i + 1;
+            j < order.size() && along[order[j]] - along[order[i]] < tolerance;
+            ++j
+        )
+        {
+            const label other = faces[order[j]];
+            if
+            (
+                mag(mesh.faceCentres()[other] - mesh.faceCentres()[facei])
+              < tolerance
+             && mag(mesh.faceAreas()[other] + Sf) < 1e-3*mag(Sf)
+            )
+            {
+                const polyBoundaryMesh& patches = mesh.boundaryMesh();
+                FatalErrorInFunction
+                    << "The patches " << patches[patches.whichPatch(facei)].name()
+                    << " and " << patches[patches.whichPatch(other)].name()
+                    << " in " << meshPath(mesh) << " lie back to back at "
+                    << mesh.faceCentres()[facei]
+                    << ": walls of no thickness are not supported."
+                    << " With the entry zone of sphMeshDict FVM cells can stay"
+                    << " there" << exit(FatalError);
+            }
         }
     }
 }
@@ -93,8 +153,6 @@ List<vector> translations(const polyMesh& mesh, const solutionSpace& space)
         const label nbri =
             isA<cyclicPolyPatch>(pp)
           ? refCast<const cyclicPolyPatch>(pp).neighbPatchID()
-          : isA<cyclicAMIPolyPatch>(pp)
-          ? refCast<const cyclicAMIPolyPatch>(pp).neighbPatchID()
           : -1;
 
         if (nbri <= pp.index() || returnReduce(pp.size(), sumOp<label>()) == 0)
@@ -110,10 +168,7 @@ List<vector> translations(const polyMesh& mesh, const solutionSpace& space)
         // A cyclic patch may be several facing planes, whose areas cancel
         const bool rotated =
             mag(area + nbrArea) > 1e-6*(mag(area) + mag(nbrArea) + VSMALL)
-         || (
-                isA<cyclicPolyPatch>(pp)
-             && !refCast<const cyclicPolyPatch>(pp).parallel()
-            );
+         || !refCast<const cyclicPolyPatch>(pp).parallel();
 
         if (rotated)
         {
@@ -159,6 +214,7 @@ Foam::SPH::orientedSurface Foam::SPH::patchSurface::allElements
 )
 {
     checkPatchTypes(mesh);
+    checkBaffles(mesh);
 
     orientedSurface surface
     (

@@ -55,8 +55,7 @@ Foam::scalar Foam::SPH::flowSolver::stableDeltaT()
     // A strong shock may shorten steps by some thousand times
     constexpr scalar collapse = 1e-6;
 
-    const scalar dt =
-        1/law_->stableRate(maxCo_, timeScheme_->maxDiffusion());
+    const scalar dt = timeScheme_->stableDeltaT(*law_, maxCo_);
 
     longest_ = max(longest_, dt);
     if (dt < collapse*longest_)

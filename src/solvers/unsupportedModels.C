@@ -21,17 +21,16 @@ namespace SPH
         const dictionary& dict,
         const word& entry,
         const word& value,
-        const wordList& choices
+        const wordList& choices,
+        const char* instead
     )
     {
         if (!choices.found(value))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry " << entry << " " << value << " is not supported by"
-                << " this solver. OpenFOAM's own solvers of such flow, for"
-                << " example pimpleFoam, run on the particles: start them with"
-                << " -case sph" << nl << nl << "Valid choices:" << nl
-                << choices << exit(FatalIOError);
+                << " this solver. " << instead << nl << nl << "Valid choices:"
+                << nl << choices << exit(FatalIOError);
         }
     }
 
@@ -67,7 +66,15 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
     );
     for (const modelEntry& e : stressModels(turbulence))
     {
-        refuse(turbulence, e.name, e.value, e.newtonian);
+        refuse
+        (
+            turbulence,
+            e.name,
+            e.value,
+            e.newtonian,
+            "OpenFOAM's own solvers of such flow, for example pimpleFoam, run"
+            " on the particles: start them with -case sph"
+        );
     }
 
     for (const word& folder : {constant, system})
@@ -95,7 +102,8 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
         motion,
         "dynamicFvMesh",
         motion.getOrDefault<word>("dynamicFvMesh", "staticFvMesh"),
-        {"staticFvMesh"}
+        {"staticFvMesh"},
+        "Particles do not move"
     );
 }
 

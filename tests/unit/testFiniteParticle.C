@@ -33,6 +33,7 @@ namespace
 const perfectGasFluid air{1.4, 287, 0, 0, 0, 1005/0.7};
 const perfectGasFluid viscousAir{1.4, 287, 1.8e-5, 0, 0, 1005/0.7};
 const weaklyCompressibleFluid water{10, 0.01, 0.01, 0.25};
+const weaklyCompressibleFluid honey{10, 10, 0.01, 0.25};
 
 constexpr label nSide = 12;
 
@@ -585,7 +586,7 @@ TEST(ConservationLaw, KeepsUniformPressureAndVelocityAcrossContacts)
             );
 
             dictionary schemes;
-            const autoPtr<timeScheme> time(timeScheme::New(schemes));
+            autoPtr<timeScheme> time(timeScheme::New(schemes));
             const scalarField before(law->conserved(0));
             for (label step = 0; step < 200; ++step)
             {
@@ -638,17 +639,23 @@ TEST(ConservationLaw, IsBitwiseTheSameForAnyNumberOfThreads)
 TEST(ConservationLaw, IsConvergentInTime)
 {
     // Order of the schemes from the change of the result with the step
-    const auto run = [](const word& scheme, const label nSteps)
+    const auto run = []
+    (
+        const weaklyCompressibleFluid& fluid,
+        const word& scheme,
+        const label nSteps,
+        const scalar duration
+    )
     {
         dictionary schemes;
         schemes.add("timeScheme", scheme);
-        const autoPtr<timeScheme> time(timeScheme::New(schemes));
+        autoPtr<timeScheme> time(timeScheme::New(schemes));
 
         givenStates faces(particles(), 3);
         faces.setTreatment(faceStates::slip);
         autoPtr<conservationLaw> law
         (
-            makeLaw(water, "linearised", "none", faces)
+            makeLaw(fluid, "linearised", "none", faces)
         );
 
         const scalarField x(particles().C().component(0));
@@ -661,19 +668,25 @@ TEST(ConservationLaw, IsConvergentInTime)
             })
         );
 
-        const scalar dt = 0.02/nSteps;
+        const scalar dt = duration/nSteps;
         for (label step = 0; step < nSteps; ++step)
         {
+            EXPECT_GT(time->stableDeltaT(*law, 0.9), dt);
             EXPECT_TRUE(time->advance(*law, faces, dt));
         }
         return scalarField(law->conserved(0));
     };
 
-    const auto order = [&](const word& scheme)
+    const auto order = [&]
+    (
+        const word& scheme,
+        const weaklyCompressibleFluid& fluid = water,
+        const scalar duration = 0.02
+    )
     {
-        const scalarField coarse(run(scheme, 8));
-        const scalarField middle(run(scheme, 16));
-        const scalarField fine(run(scheme, 32));
+        const scalarField coarse(run(fluid, scheme, 8, duration));
+        const scalarField middle(run(fluid, scheme, 16, duration));
+        const scalarField fine(run(fluid, scheme, 32, duration));
         return std::log2
         (
             std::sqrt(sumSqr(coarse - middle)/sumSqr(middle - fine))
@@ -683,6 +696,44 @@ TEST(ConservationLaw, IsConvergentInTime)
     EXPECT_NEAR(order("symplecticEuler"), 1, 0.3);
     EXPECT_NEAR(order("SSPRK2"), 2, 0.3);
     EXPECT_NEAR(order("SSPRK3"), 3, 0.3);
+    EXPECT_NEAR(order("automatic"), 3, 0.3);
+
+    // Super time steps
+    EXPECT_NEAR(order("automatic", honey, 0.05), 2, 0.3);
+}
+
+
+TEST(ConservationLaw, SuperTimeStepsAreStable)
+{
+    dictionary schemes;
+    autoPtr<timeScheme> time(timeScheme::New(schemes));
+    schemes.add("timeScheme", "SSPRK3");
+    autoPtr<timeScheme> plain(timeScheme::New(schemes));
+
+    givenStates faces(particles(), 3);
+    faces.setTreatment(faceStates::noSlip);
+    autoPtr<conservationLaw> law(makeLaw(honey, "linearised", "none", faces));
+    law->setPrimitive(disturbed({1, 1, 1}));
+
+    const auto speed = [&]()
+    {
+        return std::sqrt
+        (
+            sumSqr(law->primitive(1)()) + sumSqr(law->primitive(2)())
+        );
+    };
+    const scalar before = speed();
+
+    // Three evaluations a step: worth it where steps are much longer
+    const scalar Co = time->defaultCo();
+    EXPECT_GT(time->stableDeltaT(*law, Co), 5*plain->stableDeltaT(*law, Co));
+
+    for (label step = 0; step < 300; ++step)
+    {
+        const scalar dt = time->stableDeltaT(*law, Co);
+        ASSERT_TRUE(time->advance(*law, faces, dt));
+    }
+    EXPECT_LT(speed(), 0.01*before);
 }
 
 
@@ -695,7 +746,7 @@ TEST(ConservationLaw, RejectsStatesThatAreNotPhysical)
     const scalarField before(law->conserved(3));
 
     dictionary schemes;
-    const autoPtr<timeScheme> time(timeScheme::New(schemes));
+    autoPtr<timeScheme> time(timeScheme::New(schemes));
 
     // Far beyond the stable step
     EXPECT_FALSE(time->advance(*law, faces, 1));

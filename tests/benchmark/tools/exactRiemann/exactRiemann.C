@@ -13,7 +13,7 @@ Description
     time, averaged over each cell, and prints the waves.
 
     The states are those of the first and of the last cell at the start, the
-    diaphragm is where the pressure jumps most there, and the gas is that of
+    diaphragm is where they jump most there, and the gas is that of
     constant/thermophysicalProperties (hConst, perfectGas).
 
 Usage
@@ -77,15 +77,23 @@ int main(int argc, char *argv[])
         });
     };
 
+    // Pressure, temperature or velocity, each over its largest value
+    const scalar maxP = gMax(p);
+    const scalar maxT = gMax(T);
+    const scalar maxU = max(gMax(mag(U)()), VSMALL);
+
     scalar largest = 0;
     scalar diaphragm = 0;
     for (label i = 1; i < order.size(); ++i)
     {
         const label a = order[i - 1];
         const label b = order[i];
-        if (mag(p[b] - p[a]) > largest)
+        const scalar jump =
+            mag(p[b] - p[a])/maxP + mag(T[b] - T[a])/maxT
+          + mag(U[b] - U[a])/maxU;
+        if (jump > largest)
         {
-            largest = mag(p[b] - p[a]);
+            largest = jump;
             diaphragm = 0.5*(x[a] + x[b]);
         }
     }
