@@ -149,8 +149,8 @@ END {
                 toX(xs[c, k]), toY(ys[c, k]), colours[(c - 1) % 6 + 1]
         }
         printf "<path d=\"M%d %dh24\" stroke=\"%s\" stroke-width=\"3\"/>\n",
-            width - 200, top + 18*c - 4, colours[(c - 1) % 6 + 1]
-        text(width - 170, top + 18*c, "start",
+            width - 230, top + 18*c - 4, colours[(c - 1) % 6 + 1]
+        text(width - 200, top + 18*c, "start",
             names[c] (logX ? ", slope " slope(c) : ""))
     }
     print "</svg>"

@@ -24,9 +24,9 @@
 #------------------------------------------------------------------------------
 
 BEGIN {
-    nColumns = split("particles/cells particles/cellsSchemes native/cells " \
-        "native/cellsSchemes hybrid/cells papers/particles papers/native", \
-        columns, " ")
+    nColumns = split("cellsSchemes/cells particles/cells " \
+        "particles/cellsSchemes native/cells native/cellsSchemes " \
+        "hybrid/cells papers/particles papers/native", columns, " ")
     if (header)
     {
         line = "| scene |"
