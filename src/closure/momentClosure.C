@@ -295,15 +295,14 @@ void Foam::SPH::closeMoments
         space, graph, fixed, tolerance, maxIterations, data
     );
 
-    if
-    (
-        fixed.found(true)
-     && (
-            !(taken.residual <= 10*tolerance)
-         || largestMomentShift(data) > mostShift
-        )
-    )
+    const bool failed = !(taken.residual <= 10*tolerance);
+    const scalar shift = largestMomentShift(data);
+    if (fixed.found(true) && (failed || shift > mostShift))
     {
+        const vectorField fixedSkew(data.skew);
+        const pointField fixedCf(data.boundary.Cf);
+        const pairGraph::performance fixedTaken(taken);
+
         data.skew.clear();
         data.boundary.Cf = Cf;
         const boolList none(fixed.size(), false);
@@ -311,15 +310,27 @@ void Foam::SPH::closeMoments
         (
             space, graph, none, tolerance, maxIterations, data
         );
-        forAll(fixed, s)
+
+        // Shifts that free faces would not spare are not the border's, as those
+        // of a particle around a sharp edge
+        if (!failed && largestMomentShift(data) > 0.5*shift)
         {
-            if (fixed[s])
-            {
-                data.boundary.Cf[s] = Cf[s];
-            }
+            data.skew = fixedSkew;
+            data.boundary.Cf = fixedCf;
+            taken = fixedTaken;
         }
-        Info<< "    zone too thin for exact first moments; largest defect over"
-            << " a volume: " << largestDefect(space, data) << endl;
+        else
+        {
+            forAll(fixed, s)
+            {
+                if (fixed[s])
+                {
+                    data.boundary.Cf[s] = Cf[s];
+                }
+            }
+            Info<< "    zone too thin for exact first moments; largest defect"
+                << " over a volume: " << largestDefect(space, data) << endl;
+        }
     }
     taken.log("closing moments", tolerance);
 

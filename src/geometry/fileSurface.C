@@ -13,6 +13,7 @@ License
 #include "PtrList.H"
 #include "triSurface.H"
 #include "EdgeMap.H"
+#include "mergePoints.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -91,11 +92,27 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::convert
         }
     }
 
+    // Edges that meet in the plane leave segments of no length
+    const scalar span = mag(boundBox(points, false).span());
+    labelList unique;
+    pointField merged(mergePoints(points, 1e-9*span, false, unique));
+    UIndirectList<point>(merged, unique) = points;
+
+    DynamicList<element> segments(elements.size());
+    for (const element& e : elements)
+    {
+        const element s(unique[e.vertices[0]], unique[e.vertices[1]]);
+        if (s.vertices[0] != s.vertices[1])
+        {
+            segments.append(s);
+        }
+    }
+
     return orientedSurface
     (
         space,
-        pointField(std::move(points)),
-        List<element>(std::move(elements))
+        std::move(merged),
+        List<element>(std::move(segments))
     );
 }
 
@@ -128,6 +145,22 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
     }
 
     triSurface triangles(file, scale);
+
+    const direction dz = space.axis(2);
+    const scalar zMid = space.position(Zero)[dz];
+    const boundBox box(triangles.localPoints(), false);
+    if
+    (
+        space.nDims() == 2
+     && (box.min()[dz] > zMid || box.max()[dz] < zMid)
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Surface " << file << ", of bounding box " << box
+            << ", does not cross the mid-plane of this 2-D case, "
+            << vector::componentNames[dz] << " = " << zMid << " m"
+            << exit(FatalIOError);
+    }
 
     const auto valid = [](const orientedSurface& s)
     {

@@ -48,16 +48,24 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
             << exit(FatalIOError);
     }
 
-    pointField centres(mesh.cellCentres());
-    scalarField sizes(mesh.cellVolumes());
-    forAll(sizes, celli)
+    DynamicList<point> centres(mesh.nCells());
+    DynamicList<scalar> sizes(mesh.nCells());
+    forAll(mesh.cellVolumes(), celli)
     {
-        centres[celli] = space_.toLocal(centres[celli]);
-        sizes[celli] = Foam::min
-        (
-            Foam::max(scale*space_.spacing(sizes[celli]), least),
-            largest
-        );
+        // Bodies cut out of the mesh are cells of negative volume
+        const scalar V = mesh.cellVolumes()[celli];
+        if (V > 0)
+        {
+            centres.append(space_.toLocal(mesh.cellCentres()[celli]));
+            sizes.append
+            (
+                Foam::min
+                (
+                    Foam::max(scale*space_.spacing(V), least),
+                    largest
+                )
+            );
+        }
     }
 
     // A lattice of equal sites needs next to no relaxation
@@ -67,7 +75,15 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
     }
 
     setRange(Foam::min(sizes), Foam::max(sizes));
-    tree_.reset(new growthTree(centres, sizes, slope_));
+    tree_.reset
+    (
+        new growthTree
+        (
+            pointField(std::move(centres)),
+            scalarField(std::move(sizes)),
+            slope_
+        )
+    );
 }
 
 

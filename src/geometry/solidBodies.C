@@ -26,6 +26,11 @@ namespace SPH
 namespace
 {
 
+//- Least mean thickness of a cut body over the spacing: particles on both sides
+//- of a thinner one push each other out of place
+const scalar leastThickness = 0.5;
+
+
 //- Names of the patches that may bound a body
 wordList boundingPatches(const polyMesh& mesh)
 {
@@ -67,6 +72,14 @@ label mainPatch(const orientedSurface& surface, const labelUList& elementis)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::SPH::solidBodies::isCut(const word& name) const
+{
+    const polyBoundaryMesh& patches = surface_.mesh().boundaryMesh();
+    const label patchi = patches.findPatchID(name);
+    return patchi >= 0 && isCutBody(patches[patchi]);
+}
+
 
 Foam::autoPtr<Foam::SPH::solidBody> Foam::SPH::solidBodies::makeBody
 (
@@ -256,6 +269,18 @@ Foam::autoPtr<Foam::SPH::solidBody> Foam::SPH::solidBodies::readBody
             << boundingPatches(surface_.mesh()) << exit(FatalIOError);
     }
 
+    if (dict.found("surface") && isCut(dict.dictName()))
+    {
+        const label patchi =
+            surface_.mesh().boundaryMesh().findPatchID(dict.dictName());
+        return makeBody
+        (
+            dict.dictName(),
+            surface_.patchElements(labelList(1, patchi)),
+            smoothingRatio
+        );
+    }
+
     if (dict.found("patches"))
     {
         const labelList elementis(readElements(dict));
@@ -334,6 +359,24 @@ void Foam::SPH::solidBodies::checkSize(const spacingFunction& spacing) const
                 << " m, less than the particle spacing " << dp
                 << " m there. Reduce the spacing or leave the body out"
                 << exit(FatalError);
+        }
+
+        scalar area = 0;
+        for (label elementi = 0; elementi < body.surface().size(); ++elementi)
+        {
+            area += mag(body.surface().areaVector(elementi));
+        }
+        const scalar thickness = 2*body.surface().volume()/area;
+
+        if (isCut(body.name()) && thickness < leastThickness*dp)
+        {
+            FatalErrorInFunction
+                << "Body " << body.name() << " has a mean thickness of "
+                << thickness << " m, too thin for the particle spacing " << dp
+                << " m there. Set a spacing below "
+                << thickness/leastThickness << " m, as spacing {type refined;"
+                << " base " << spacing.max() << "; near {" << body.name()
+                << " {spacing " << thickness << ";}}}" << exit(FatalError);
         }
     }
 }

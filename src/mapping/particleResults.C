@@ -30,7 +30,8 @@ Foam::SPH::particleResults::particleResults(const Time& runTime)
     ),
     spacing_(scalarIOField(particleFiles(*time_).arrayIO("spacing"))),
     boundaryFace_(labelIOList(particleFiles(*time_).arrayIO("boundaryFace"))),
-    cellMap_(particleFiles(*time_).cellMap())
+    cellMap_(particleFiles(*time_).cellMap()),
+    solidCells_(particleFiles(*time_).solidCells())
 {}
 
 

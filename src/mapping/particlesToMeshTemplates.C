@@ -68,6 +68,10 @@ Foam::SPH::particlesToMesh::map
             mapped.primitiveFieldRef()[particles_.cellMap()[i]] = field[i];
         }
     }
+    for (const label celli : particles_.solidCells())
+    {
+        mapped.primitiveFieldRef()[celli] = Zero;
+    }
 
     const label nInternal = particles_.mesh().nInternalFaces();
     for (fvPatchField<Type>& patchField : mapped.boundaryFieldRef())

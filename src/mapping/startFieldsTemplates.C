@@ -8,10 +8,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "startFields.H"
+#include "borderPatch.H"
 #include "directFvPatchFieldMapper.H"
 #include "fixedValueFvPatchFields.H"
+#include "localIOdictionary.H"
 #include "noSlipFvPatchVectorField.H"
 #include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -34,6 +37,86 @@ bool Foam::SPH::startFields::refines
 
 
 template<class Type>
+Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::bodyPatch
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const fvPatch& patch,
+    const DimensionedField<Type, volMesh>& internal
+) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    const localIOdictionary file
+    (
+        IOobject
+        (
+            field.name(),
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        fieldType::typeName
+    );
+    const dictionary& conditions = file.subDict("boundaryField");
+
+    // In OpenFOAM's order: name, groups, patterns
+    const entry* found = conditions.findEntry(patch.name(), keyType::LITERAL);
+    for (const word& group : patch.patch().inGroups())
+    {
+        found =
+            found ? found : conditions.findEntry(group, keyType::LITERAL);
+    }
+    found =
+        found ? found : conditions.findEntry(patch.name(), keyType::REGEX);
+
+    if (found && found->isDict())
+    {
+        return fvPatchField<Type>::New(patch, internal, found->dict());
+    }
+
+    const word type
+    (
+        field.name() == "U"
+      ? noSlipFvPatchVectorField::typeName
+      : zeroGradientFvPatchField<Type>::typeName
+    );
+    Info<< "Body " << patch.name() << ": " << field.name() << ' ' << type
+        << ", as " << file.objectPath() << " has no entry for it" << endl;
+
+    return fvPatchField<Type>::New(type, patch, internal);
+}
+
+
+template<class Type>
+Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::refined
+(
+    const word& field,
+    const tmp<fvPatchField<Type>>& patchField
+) const
+{
+    if
+    (
+        !hasParticles(patchField().patch())
+     || !refines(field, patchField())
+    )
+    {
+        return patchField;
+    }
+
+    auto trefined = fvPatchField<Type>::New
+    (
+        "quadraticFixedValue",
+        patchField().patch(),
+        patchField().internalField()
+    );
+    trefined.ref() == patchField();
+    return trefined;
+}
+
+
+template<class Type>
 Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
 (
     const GeometricField<Type, fvPatchField, volMesh>& field,
@@ -42,6 +125,11 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
 ) const
 {
     const fvPatch& patch = particles_.boundary()[patchi];
+
+    if (isCutBody(patch.patch()))
+    {
+        return refined(field.name(), bodyPatch(field, patch, internal));
+    }
 
     // Pairs across several periods have a patch that FVM does not have
     if (patchi >= mesh_.boundary().size())
@@ -63,17 +151,10 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
     const fvPatchField<Type>& from = field.boundaryField()[patchi];
     const directFvPatchFieldMapper mapper(addressing);
 
-    if (hasParticles(patch) && refines(field.name(), from))
-    {
-        auto trefined = fvPatchField<Type>::New
-        (
-            "quadraticFixedValue", patch, internal
-        );
-        trefined.ref() == Field<Type>(from, addressing);
-        return trefined;
-    }
-
-    return fvPatchField<Type>::New(from, patch, internal, mapper);
+    return refined
+    (
+        field.name(), fvPatchField<Type>::New(from, patch, internal, mapper)
+    );
 }
 
 

@@ -294,10 +294,14 @@ void Foam::SPH::particleCase::writeMesh
 
     const particleFiles files(*timePtr_, newFolder);
     const solutionSpace space(mesh_);
+    if (zone.bodies().size())
+    {
+        files.writeArray<labelIOList>("solidCells", zone.bodies().cells());
+    }
     autoPtr<polyMesh> meshPtr;
     if (zone.everywhere())
     {
-        particlePolyMesh mesh(mesh_, space, data);
+        particlePolyMesh mesh(zone.mesh(), space, data);
         files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
         meshPtr = mesh.makeMesh(*timePtr_, newFolder);
         writeArrays(files, data.points, data.V, data.spacing);

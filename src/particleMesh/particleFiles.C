@@ -62,6 +62,16 @@ void Foam::SPH::particleFiles::writeBinary(const regIOobject& object)
 }
 
 
+Foam::labelList Foam::SPH::particleFiles::optionalLabels
+(
+    const word& name
+) const
+{
+    IOobject io(arrayIO(name));
+    return io.typeHeaderOk<labelIOList>(true) ? labelIOList(io) : labelList();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::IOobject Foam::SPH::particleFiles::arrayIO
@@ -95,13 +105,6 @@ Foam::dictionary Foam::SPH::particleFiles::properties() const
         found()
       ? dictionary(IOdictionary(arrayIO("sphMeshProperties")))
       : dictionary();
-}
-
-
-Foam::labelList Foam::SPH::particleFiles::cellMap() const
-{
-    IOobject io(arrayIO("cellMap"));
-    return io.typeHeaderOk<labelIOList>(true) ? labelIOList(io) : labelList();
 }
 
 

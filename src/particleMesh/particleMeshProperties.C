@@ -279,6 +279,10 @@ Foam::dictionary Foam::SPH::particleMeshProperties
     {
         properties.add(dict.lookupEntry("zone", keyType::LITERAL));
     }
+    if (zone.bodies().size())
+    {
+        properties.add("bodies", dict.subDict("bodies"));
+    }
 
     return properties;
 }

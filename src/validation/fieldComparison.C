@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fieldComparison.H"
+#include "bitSet.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -29,11 +30,15 @@ void Foam::SPH::fieldComparison::alignLevel
         return;
     }
 
+    const scalarField V(inFluid(mesh_.V().field()));
     const scalar level =
-        gSum(mesh_.V()*(sph.primitiveField() - fvm.primitiveField()))
-       /gSum(mesh_.V());
+        gSum(V*inFluid<scalar>(sph.primitiveField() - fvm.primitiveField()))
+       /gSum(V);
 
-    sph.primitiveFieldRef() -= level;
+    for (const label celli : fluid_)
+    {
+        sph[celli] -= level;
+    }
     for (fvPatchScalarField& patch : sph.boundaryFieldRef())
     {
         patch == patch - level;
@@ -69,12 +74,15 @@ Foam::SPH::fieldComparison::fieldComparison
     const fvMesh& mesh,
     const referenceCase& reference,
     const instant& time,
-    const wordList& fields
+    const wordList& fields,
+    const labelUList& solid
 )
 :
     mesh_(mesh),
     reference_(reference),
     time_(time),
+    fluid_((bitSet(mesh.nCells(), true) -= bitSet(mesh.nCells(), solid)).toc()),
+    solid_(solid),
     norms_(),
     quantities_(),
     remarks_()

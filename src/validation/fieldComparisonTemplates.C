@@ -70,8 +70,13 @@ void Foam::SPH::fieldComparison::add(const word& name, const word& className)
         ),
         mesh_
     );
-    const tmp<volFieldType> tfvm(reference_.read(name, time_, sph));
-    const volFieldType& fvm = tfvm();
+    tmp<volFieldType> tfvm(reference_.read(name, time_, sph));
+    volFieldType& fvm = tfvm.ref();
+    for (const label celli : solid_)
+    {
+        sph[celli] = Zero;
+        fvm[celli] = Zero;
+    }
 
     if (sph.dimensions() != fvm.dimensions())
     {
@@ -98,7 +103,11 @@ void Foam::SPH::fieldComparison::add(const word& name, const word& className)
 
     norms_.add<Type>
     (
-        name, components, mesh_.V(), sph.primitiveField(), fvm.primitiveField()
+        name,
+        components,
+        inFluid(mesh_.V().field()),
+        inFluid(sph.primitiveField()),
+        inFluid(fvm.primitiveField())
     );
 
     addQuantities(name, components, sph, fvm);

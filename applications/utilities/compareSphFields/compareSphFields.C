@@ -166,7 +166,11 @@ int main(int argc, char *argv[])
 
         const SPH::fieldComparison comparison
         (
-            mesh, reference, times[timei], common.fields(times[timei])
+            mesh,
+            reference,
+            times[timei],
+            common.fields(times[timei]),
+            particles.valid() ? particles->solidCells() : labelList()
         );
         comparison.norms().write(folder/"norms.csv");
         SPH::comparisonReport::print(comparison);

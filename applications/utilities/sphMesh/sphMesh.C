@@ -50,6 +50,8 @@ Usage
 #include "version.H"
 #include "OSspecific.H"
 
+#include <algorithm>
+
 using namespace Foam;
 using namespace Foam::SPH;
 
@@ -153,10 +155,17 @@ void generateParticles
 
     if (!zone.everywhere())
     {
-        const label n = zone.inside().size();
         Info<< "    FVM cells: "
-            << n - zone.mesh().nCells() << " of " << n << ", border faces: "
+            << std::count(zone.inside().begin(), zone.inside().end(), false)
+            << " of " << zone.inside().size() << ", border faces: "
             << mesh.boundaryMesh()[zone.borderPatch()].size() << nl;
+    }
+    for (label bodyi = 0; bodyi < zone.bodies().size(); ++bodyi)
+    {
+        const orientedSurface& surface = zone.bodies().surface(bodyi);
+        Info<< "    body " << zone.bodies().name(bodyi)
+            << ": elements: " << surface.size() << ", volume: "
+            << surface.volume() << nl;
     }
     Info<< "    particles: " << data.points.size()
         << "  pairs: " << data.owner.size()
@@ -224,11 +233,10 @@ int main(int argc, char *argv[])
         if (generator.filesCutMesh() && method->type() != noClosure::typeName)
         {
             FatalIOErrorInFunction(dict)
-                << "Bodies read from files overlap the mesh, which has no"
-                << " patches there to close the particles' areas with. Use a"
-                << " mesh whose patches are the bodies, made by snappyHexMesh"
-                << " or polygonMesh, or 'closure {type none;}' for particles"
-                << " alone" << exit(FatalIOError);
+                << "Bodies read from files overlap the mesh in part. Valid"
+                << " bodies lie wholly among its cells, or beside it; or give"
+                << " 'closure {type none;}' for particles alone"
+                << exit(FatalIOError);
         }
 
         if (args.found("dry-run"))
