@@ -8,6 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "checkEntries.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "Time.H"
 
 #include <cctype>
 #include <fstream>
@@ -132,6 +135,28 @@ void Foam::SPH::checkEntries
             << "Unknown entry " << name << ", nearest is " << nearest << nl
             << nl << "Valid entries:" << nl << valid << exit(FatalIOError);
     }
+}
+
+
+bool Foam::SPH::foundDictionary(const IOobject& io)
+{
+    const bool found = IOobject(io).typeHeaderOk<IOdictionary>(true);
+    const fileName file
+    (
+        io.instance().isAbsolute()
+      ? io.objectPath()
+      : io.time().globalPath()/io.instance()/io.name()
+    );
+
+    if (Pstream::master() && !found && isFile(file))
+    {
+        FatalErrorInFunction
+            << "Cannot read " << file << ": it does not begin with the header"
+            << nl << "    FoamFile { version 2.0; format ascii;"
+            << " class dictionary; object " << io.name() << "; }"
+            << exit(FatalError);
+    }
+    return found;
 }
 
 

@@ -31,7 +31,7 @@ namespace SPH
     static const wordHashSet fvmDicts
     ({
         "blockMeshDict", "compareSphFieldsDict", "snappyHexMeshDict",
-        "sphMeshDict"
+        "sphMeshDict", "sphSchemes"
     });
 
     //- Function objects that track through cells
@@ -289,16 +289,13 @@ void Foam::SPH::particleCase::writeDictionaries()
 
     // Schemes of the native solvers may come later
     const fileName schemes("system/sphSchemes");
-    if (!isFile(mesh_.time().path()/schemes))
-    {
-        files_.writeText
-        (
-            schemes,
-            header("dictionary", schemes.name())
-          + "\n// Of the FVM case, once it has them\n"
-            "#includeIfPresent \"../../system/sphSchemes\"\n"
-        );
-    }
+    files_.writeText
+    (
+        schemes,
+        header("dictionary", schemes.name())
+      + "\n// Of the FVM case, once it has them\n"
+        "#includeIfPresent \"../../system/sphSchemes\"\n"
+    );
 
     files_.write();
 }

@@ -204,7 +204,7 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
         false
     );
 
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (!foundDictionary(io))
     {
         if (args.found("dict"))
         {

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "stressModels.H"
+#include "checkEntries.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -18,18 +19,17 @@ Foam::IOdictionary Foam::SPH::readDictIfPresent
     const word& folder
 )
 {
-    return IOdictionary
+    const IOobject io
     (
-        IOobject
-        (
-            name,
-            folder,
-            runTime,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        name,
+        folder,
+        runTime,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
     );
+    foundDictionary(io);
+    return IOdictionary(io);
 }
 
 

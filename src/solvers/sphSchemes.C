@@ -28,6 +28,7 @@ Foam::SPH::sphSchemes::sphSchemes(const Time& runTime)
         )
     )
 {
+    foundDictionary(*this);
     checkEntries
     (
         *this,

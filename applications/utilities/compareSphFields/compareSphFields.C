@@ -24,6 +24,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "checkEntries.H"
 #include "comparisonPictures.H"
 #include "comparisonProfiles.H"
 #include "comparisonReport.H"
@@ -97,6 +98,7 @@ int main(int argc, char *argv[])
     dictIO.readOpt() =
         args.found("dict") ? IOobject::MUST_READ : IOobject::READ_IF_PRESENT;
 
+    SPH::foundDictionary(dictIO);
     IOdictionary dict(dictIO);
     if (args.found("fields"))
     {
