@@ -11,6 +11,40 @@ License
 #include "OFstream.H"
 #include "OSspecific.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::SPH::convergenceMonitor::left() const
+{
+    // The rms falls like a power of the iteration, with jumps: its least value
+    // tells when it gets to the tolerance. The largest residual does not
+    const label n = history_.size();
+    scalar before = GREAT;
+    scalar least = GREAT;
+    for (label i = 0; i < n; ++i)
+    {
+        least = min(least, history_[i].rmsResidual);
+        before = i < n/2 ? least : before;
+    }
+
+    if (history_.last().rmsResidual < rmsTolerance_)
+    {
+        return 0;
+    }
+    if (rmsTolerance_ <= 0 || least <= rmsTolerance_ || least >= before)
+    {
+        return -1;
+    }
+
+    // How many times the iterations so far must double; ten are too many
+    const scalar doublings = min
+    (
+        Foam::log(least/rmsTolerance_)/Foam::log(before/least),
+        scalar(10)
+    );
+    return round(n*(pow(2, doublings) - 1));
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::convergenceMonitor::add(const record& state)
@@ -55,13 +89,14 @@ void Foam::SPH::convergenceMonitor::log
         << "  kinetic energy = " << last.kineticEnergy
         << "  moving particles = " << nActive;
 
-    // When the residual, a maximum, falls below the tolerance cannot be told
-    // from how it fell so far
-    const label nLeft = lastIteration - last.iteration;
+    const label most = lastIteration - last.iteration;
+    const label expected = left();
+    const bool bounded = expected < 0 || expected >= most;
+    const label nLeft = bounded ? most : expected;
     const scalar seconds = clock_.timeIncrement()*nLeft/logInterval_;
 
-    os  << "  left at most = " << nLeft << " iterations, "
-        << round(10*seconds)/10 << " s" << endl;
+    os  << "  left " << (bounded ? "at most" : "about") << " = " << nLeft
+        << " iterations, " << round(10*seconds)/10 << " s" << endl;
 }
 
 

@@ -481,6 +481,33 @@ TEST(ConvergenceMonitor, saysWhatIsLeftAtMost)
 }
 
 
+TEST(ConvergenceMonitor, estimatesWhatIsLeftOfAPowerLaw)
+{
+    // 0.1/iteration gets to 2e-4 at 500, whatever jumps there are
+    convergenceMonitor monitor(1e-3, 2e-4, 50);
+    for (label iteration = 1; iteration <= 200; ++iteration)
+    {
+        convergenceMonitor::record state;
+        state.iteration = iteration;
+        state.kineticEnergy = 1;
+        state.relativeResidual = 10;
+        state.rmsResidual = iteration % 7 == 3 ? 0.2 : 0.1/iteration;
+        monitor.add(state);
+    }
+
+    const auto line = [&](const label last)
+    {
+        OStringStream os;
+        monitor.log(os, 7, last);
+        return os.str();
+    };
+    EXPECT_NE(line(2000).find("left about = 300 it"), std::string::npos)
+        << line(2000);
+    EXPECT_NE(line(400).find("left at most = 200 it"), std::string::npos)
+        << line(400);
+}
+
+
 TEST(Relaxation, badInputIsNamed)
 {
     testCase square(cylinder());
