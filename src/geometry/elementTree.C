@@ -54,13 +54,6 @@ public:
     ) const = 0;
 
     virtual bool within(const point& p, const scalar distance) const = 0;
-
-    virtual void within
-    (
-        const point& p,
-        const scalar distance,
-        DynamicList<label>& found
-    ) const = 0;
 };
 
 
@@ -141,30 +134,6 @@ public:
 
         return !elements_.empty() && tree_.do_intersect(sphere);
     }
-
-    virtual void within
-    (
-        const point& p,
-        const scalar distance,
-        DynamicList<label>& found
-    ) const
-    {
-        if (elements_.empty())
-        {
-            return;
-        }
-
-        const kernel::Vector_3 half(distance, distance, distance);
-        const kernel::Iso_cuboid_3 box(toPoint(p) - half, toPoint(p) + half);
-
-        std::vector<typename Primitive::Id> ids;
-        tree_.all_intersected_primitives(box, std::back_inserter(ids));
-
-        for (const typename Primitive::Id& id : ids)
-        {
-            found.append(elements_[id - shapes_.begin()]);
-        }
-    }
 };
 
 
@@ -205,22 +174,6 @@ public:
         const label i = nearest(p, -1, p);
 
         return i >= 0 && mag(p.x() - points_[i].x()) < distance;
-    }
-
-    virtual void within
-    (
-        const point& p,
-        const scalar distance,
-        DynamicList<label>& found
-    ) const
-    {
-        for (size_t i = 0; i < points_.size(); ++i)
-        {
-            if (mag(p.x() - points_[i].x()) < distance)
-            {
-                found.append(i);
-            }
-        }
     }
 };
 
@@ -308,17 +261,6 @@ bool Foam::SPH::elementTree::within
 ) const
 {
     return tree_->within(p, distance);
-}
-
-
-void Foam::SPH::elementTree::within
-(
-    const point& p,
-    const scalar distance,
-    DynamicList<label>& found
-) const
-{
-    tree_->within(p, distance, found);
 }
 
 

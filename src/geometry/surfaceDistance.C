@@ -337,32 +337,6 @@ bool Foam::SPH::surfaceDistance::within
 }
 
 
-void Foam::SPH::surfaceDistance::elementsWithin
-(
-    const point& p,
-    const scalar distance,
-    DynamicList<label>& found
-) const
-{
-    tree_->within(space_.toLocal(p), distance, found);
-}
-
-
-Foam::FixedList<Foam::point, 3> Foam::SPH::surfaceDistance::corners
-(
-    const label elementi
-) const
-{
-    FixedList<point, 3> corners(point::zero);
-    for (label k = 0; k < space_.nDims(); ++k)
-    {
-        corners[k] = points_[elements_[elementi][k]];
-    }
-
-    return corners;
-}
-
-
 bool Foam::SPH::surfaceDistance::inside(const point& p) const
 {
     if (closed_.valid())

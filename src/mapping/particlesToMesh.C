@@ -32,17 +32,22 @@ Foam::SPH::particlesToMesh::particlesToMesh
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::label Foam::SPH::particlesToMesh::write(const wordRes& names) const
+{
+    const Time& runTime = mesh_.time();
+    return write(names, instant(runTime.value(), runTime.timeName()), false);
+}
+
+
 Foam::label Foam::SPH::particlesToMesh::write
 (
     const wordRes& names,
+    const instant& from,
     const bool newer
 ) const
 {
     const Time& runTime = mesh_.time();
-    const IOobjectList fields
-    (
-        particles_.fields(instant(runTime.value(), runTime.timeName()))
-    );
+    const IOobjectList fields(particles_.fields(from));
 
     label nMapped = 0;
     for (const word& name : fields.sortedNames())

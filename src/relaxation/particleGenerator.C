@@ -104,9 +104,12 @@ void Foam::SPH::particleGenerator::setDomain()
         }
     }
 
-    for (const vector& T : periodicTranslations(mesh_))
+    for (const vector& period : periodicTranslations(mesh_))
     {
-        domain_.translations.append(space_.toLocal(T));
+        // From the low side to the high one, whichever patch comes first
+        const vector T(space_.toLocal(period));
+        const bool falls = (T & (domain_.high - domain_.low)) < 0;
+        domain_.translations.append(falls ? -T : T);
     }
     if (!spacing_->uniform())
     {

@@ -605,7 +605,7 @@ TEST(ParticleResults, ReadsFieldsWithoutTheirBoundaryConditions)
         source,
         std::filesystem::last_write_time(source) - std::chrono::seconds(1)
     );
-    EXPECT_EQ(mapper.write(wordRes(), true), 0);
+    EXPECT_EQ(mapper.write(wordRes(), instant(0.5, "0.5"), true), 0);
     EXPECT_TRUE(isFile(box.path()/"0.5"/"p.sph"));
     EXPECT_FALSE(isFile(box.path()/"0.5"/"p"));
 }

@@ -362,6 +362,29 @@ TEST(Relaxation, irregularPeriodicBoxComesToRest)
 }
 
 
+TEST(Relaxation, periodsMayPointDownwards)
+{
+    // Rotated, so that the first patch of each pair is on the high side
+    testCase::layout turned;
+    turned.periodic = {true, true, false};
+    turned.transform = [](const point& p)
+    {
+        return point(-p.x(), -p.y(), p.z());
+    };
+    testCase box(turned);
+    particleGenerator generator(box.mesh(), sphMeshDict("spacing 0.125;"));
+    generator.generate();
+
+    const particleSet& fluid = generator.fluid();
+    ASSERT_EQ(fluid.points.size(), 64);
+    EXPECT_NEAR(max(fluid.density)/min(fluid.density), 1, 1e-12);
+    for (const point& p : fluid.points)
+    {
+        EXPECT_TRUE(box.mesh().bounds().contains(p)) << p.x() << " " << p.y();
+    }
+}
+
+
 TEST(Relaxation, variableSpacingIsAchieved)
 {
     testCase square(cylinder());

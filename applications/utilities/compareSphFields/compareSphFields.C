@@ -49,7 +49,7 @@ void mapNewFields
     const SPH::particlesToMesh mapper(mesh, particles);
     const instant now(runTime.value(), runTime.timeName());
 
-    for (const instant& time : particles.times())
+    const auto mapTo = [&](const instant& time, const instant& from)
     {
         const wordList fields(reference.objects(time).sortedNames());
         if (fields.size() && time.name() != runTime.constant())
@@ -60,8 +60,31 @@ void mapNewFields
                 names[i] = wordRe(fields[i], wordRe::LITERAL);
             }
             runTime.setTime(time, 0);
-            mapper.write(names, true);
+            mapper.write(names, from, true);
         }
+    };
+
+    const instantList times(particles.times());
+    for (const instant& time : times)
+    {
+        mapTo(time, time);
+    }
+
+    // Steady runs end when they have converged, each after its own iterations
+    const instant last(reference.times().last());
+    if
+    (
+        times.size() > 2
+     && mesh.schemesDict().subDict("ddtSchemes").getOrDefault<word>
+        (
+            "default", "none"
+        ) == "steadyState"
+     && !SPH::particleResults::equal(last, times.last())
+    )
+    {
+        Info<< "Steady: particles at time " << times.last().name()
+            << " are compared with cells at time " << last.name() << nl;
+        mapTo(last, times.last());
     }
     runTime.setTime(now, 0);
     Info<< endl;
