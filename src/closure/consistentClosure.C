@@ -354,7 +354,10 @@ void Foam::SPH::consistentClosure::close
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
     {
         const scalar largest = max(mag(areaSums(data)()));
-        closeAreas(space, graph, sweepTolerance*largest, data);
+        closeAreas
+        (
+            space, graph, max(sweepTolerance*largest, tolerance), data
+        );
         renormalise(space, data);
     }
     closeAreas(space, graph, tolerance, data);
