@@ -354,10 +354,7 @@ void Foam::SPH::consistentClosure::close
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
     {
         const scalar largest = max(mag(areaSums(data)()));
-        closeAreas
-        (
-            space, graph, max(sweepTolerance*largest, tolerance), data
-        );
+        closeAreas(space, graph, sweepTolerance*largest, data);
         renormalise(space, data);
     }
     closeAreas(space, graph, tolerance, data);

@@ -99,10 +99,9 @@ bool Foam::SPH::sphForces::integrate()
             );
             const vector f[2] =
             {
-                rho
-               *space.toGlobal
+                space.toGlobal
                 (
-                    faces.pressureForce()[facei]
+                    rho*faces.pressureForce()[facei]
                   - pRef_*faces.magSf()[facei]*faces.n()[facei]
                 ),
                 rho*space.toGlobal(faces.viscousForce()[facei])

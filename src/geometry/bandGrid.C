@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bandGrid.H"
+#include "checkedLabel.H"
 #include "DynamicList.H"
 #include "error.H"
 #include <cmath>
@@ -76,7 +77,8 @@ Foam::SPH::bandGrid::bandGrid
         FatalErrorInFunction
             << "A background grid of spacing " << spacing_ << " m over a box"
             << " of " << box.span() << " m needs " << n*pow(8.0, nDims_)
-            << " cells. Increase the particle spacing" << exit(FatalError);
+            << " cells. Increase the entry spacing of sphMeshDict"
+            << exit(FatalError);
     }
 
     activeBlock_.setSize(label(n), -1);
@@ -100,13 +102,10 @@ Foam::SPH::bandGrid::bandGrid
     }
     blocks_.transfer(blocks);
 
-    if (scalar(blocks_.size())*blockNodes_ > labelMax)
-    {
-        FatalErrorInFunction
-            << "A background grid of spacing " << spacing_ << " m needs more"
-            << " nodes than can be counted. Increase the particle spacing"
-            << exit(FatalError);
-    }
+    checkedLabel
+    (
+        scalar(blocks_.size())*blockNodes_, "nodes of a background grid"
+    );
 }
 
 

@@ -20,14 +20,7 @@ Foam::SPH::booleanDistance::booleanDistance
 :
     operation_(op),
     operands_(operands)
-{
-    if (operands_.empty())
-    {
-        FatalErrorInFunction
-            << "A Boolean operation needs at least one body"
-            << exit(FatalError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -322,7 +322,8 @@ void Foam::SPH::cutBodies::checkZone
         {
             FatalIOErrorInFunction(dict)
                 << "zone: its border passes through a body at "
-                << mesh_.faceCentres()[facei] << exit(FatalIOError);
+                << mesh_.faceCentres()[facei] << ". Valid zones hold bodies"
+                << " with all that is in them" << exit(FatalIOError);
         }
     }
 }

@@ -140,8 +140,9 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
     if (space.nDims() == 1)
     {
         FatalIOErrorInFunction(dict)
-            << "Surface " << name << ": a one-dimensional case cannot have"
-            << " bodies read from files" << exit(FatalIOError);
+            << "Body " << dict.dictName() << ", surface " << name
+            << ": a one-dimensional case cannot have bodies read from files."
+            << " Valid: the entry patches instead" << exit(FatalIOError);
     }
 
     triSurface triangles(file, scale);

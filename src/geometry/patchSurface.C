@@ -41,7 +41,8 @@ void checkPatchTypes(const polyMesh& mesh)
             FatalErrorInFunction
                 << "Patch " << pp.name() << " in " << meshPath(mesh)
                 << " is a processor patch: particles are generated from the"
-                << " mesh before it is decomposed. Run without -parallel"
+                << " mesh before it is decomposed. Take the whole mesh, and"
+                << " decompose the particles with 'decomposePar -case sph'"
                 << exit(FatalError);
         }
 
@@ -175,8 +176,8 @@ List<vector> translations(const polyMesh& mesh, const solutionSpace& space)
             FatalErrorInFunction
                 << "The coupled patches " << pp.name() << " and "
                 << patches[nbri].name() << " in " << meshPath(mesh)
-                << " are rotated against each other. Only translational"
-                << " periodicity is supported" << exit(FatalError);
+                << " are rotated against each other. Valid cyclic"
+                << " transforms: translational" << exit(FatalError);
         }
 
         const vector period

@@ -53,7 +53,8 @@ Foam::List<Foam::vector2D> Foam::SPH::polygonPatch::readPoints
         if (!(numbers >> x >> y))
         {
             FatalIOErrorInFunction(points)
-                << "Not a point 'x y': " << line << exit(FatalIOError);
+                << "Patch " << dict.dictName() << ": '" << line.c_str()
+                << "' is not a point 'x y'" << exit(FatalIOError);
         }
         values.append(vector2D(x, y));
     }
@@ -105,7 +106,8 @@ Foam::SPH::polygonPatch::polygonPatch
     {
         FatalIOErrorInFunction(dict)
             << "Patch " << name_ << " has " << points.size()
-            << " points only" << exit(FatalIOError);
+            << " points. Valid: 3 or more of a loop, 2 or more of a line"
+            << exit(FatalIOError);
     }
 
     add(points, closed);

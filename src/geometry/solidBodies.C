@@ -258,7 +258,8 @@ Foam::autoPtr<Foam::SPH::solidBody> Foam::SPH::solidBodies::readBody
     {
         FatalIOErrorInFunction(dict)
             << "Body " << dict.dictName() << ": smoothingRatio "
-            << smoothingRatio << " is not positive" << exit(FatalIOError);
+            << smoothingRatio << " is not positive. Valid ratios: 0.7 to 4"
+            << exit(FatalIOError);
     }
 
     if (dict.found("patches") == dict.found("surface"))
@@ -326,8 +327,8 @@ Foam::SPH::solidBodies::solidBodies
         {
             FatalIOErrorInFunction(bodies)
                 << "Entry " << e.keyword() << " of bodies is not a dictionary"
-                << " with an entry 'patches' or 'surface'"
-                << exit(FatalIOError);
+                << " with an entry 'patches' or 'surface'. Valid patches: "
+                << boundingPatches(surface_.mesh()) << exit(FatalIOError);
         }
         autoPtr<solidBody> body(readBody(e.dict()));
         if (body.valid())
@@ -357,7 +358,8 @@ void Foam::SPH::solidBodies::checkSize(const spacingFunction& spacing) const
             FatalErrorInFunction
                 << "Body " << body.name() << " has a size of " << size
                 << " m, less than the particle spacing " << dp
-                << " m there. Reduce the spacing or leave the body out"
+                << " m there. Reduce the entry spacing of sphMeshDict, or"
+                << " leave the body out"
                 << exit(FatalError);
         }
 

@@ -9,6 +9,7 @@ License
 
 #include "particlesToMesh.H"
 #include "calculatedFvPatchFields.H"
+#include "particleFiles.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -23,11 +24,7 @@ bool Foam::SPH::particlesToMesh::mapType(const IOobject& io) const
     }
 
     const tmp<fieldType> tmapped(map(particles_.read<Type>(io)()));
-    if (!tmapped().write())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << tmapped().objectPath() << exit(FatalError);
-    }
+    particleFiles::checkWritten(tmapped().write(), tmapped());
 
     Info<< "    " << io.name() << " -> " << tmapped().name() << nl;
     return true;

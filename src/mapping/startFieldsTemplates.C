@@ -13,6 +13,7 @@ License
 #include "fixedValueFvPatchFields.H"
 #include "localIOdictionary.H"
 #include "noSlipFvPatchVectorField.H"
+#include "particleFiles.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -206,11 +207,7 @@ void Foam::SPH::startFields::mapField
     }
 
     const unsigned precision = IOstream::defaultPrecision(12);
-    if (!mapped.write())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << mapped.objectPath() << exit(FatalError);
-    }
+    particleFiles::checkWritten(mapped.write(), mapped);
     IOstream::defaultPrecision(precision);
     case_.files().add(file);
 }

@@ -9,6 +9,7 @@ License
 
 #include "particlePairs.H"
 #include "cellGrid.H"
+#include "checkedLabel.H"
 #include "boundBox.H"
 #include "error.H"
 
@@ -96,6 +97,13 @@ Foam::SPH::particlePairs::particlePairs
             }
         }
     }
+
+    scalar nFound = 0;
+    for (const std::vector<entry>& row : found)
+    {
+        nFound += row.size();
+    }
+    checkedLabel(nFound, "pairs of particles");
 
     // Hand pairs found from the higher index to the lower one
     labelList nPairs(n + 1, Zero);

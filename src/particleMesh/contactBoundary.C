@@ -37,8 +37,8 @@ void Foam::SPH::writeContactBoundary
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " has solid particles behind it,"
-                << " but no particle at it: lower the spacing"
-                << exit(FatalError);
+                << " but no particle at it: reduce the entry spacing of"
+                << " sphMeshDict" << exit(FatalError);
         }
 
         SubList<label>(face, size, start) = particleFaces::nearestFaces

@@ -315,12 +315,7 @@ void Foam::SPH::particleCase::writeMesh
         meshPtr = mesh.makeMesh(*timePtr_, newFolder);
         writeArrays(files, mesh.points(), mesh.V(), mesh.spacing());
     }
-    if (!meshPtr->write())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << constant/newFolder/meshFolder
-            << exit(FatalError);
-    }
+    particleFiles::checkWritten(meshPtr->write(), *meshPtr);
 
     if (solids.size())
     {

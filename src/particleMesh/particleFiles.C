@@ -29,20 +29,6 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::SPH::particleFiles::checkWritten
-(
-    const bool written,
-    const regIOobject& object
-)
-{
-    if (!written)
-    {
-        FatalErrorInFunction
-            << "Cannot write " << object.objectPath() << exit(FatalError);
-    }
-}
-
-
 Foam::word Foam::SPH::particleFiles::entriesDigest(const fileName& file)
 {
     IFstream is(file);
@@ -73,6 +59,22 @@ Foam::labelList Foam::SPH::particleFiles::optionalLabels
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::particleFiles::checkWritten
+(
+    const bool written,
+    const regIOobject& object
+)
+{
+    if (!written)
+    {
+        FatalErrorInFunction
+            << "Cannot write " << object.objectPath()
+            << ": is the disk full, or the folder write-protected?"
+            << exit(FatalError);
+    }
+}
+
 
 Foam::IOobject Foam::SPH::particleFiles::arrayIO
 (

@@ -156,6 +156,7 @@ void Foam::SPH::writtenFiles::write() const
     mkDir(recordFile(path_).path());
     OFstream os(recordFile(path_));
     record.write(os, false);
+    os.flush();
     if (!os.good())
     {
         FatalErrorInFunction

@@ -194,6 +194,7 @@ void Foam::SPH::meshQuality::write(const fileName& file) const
             << nl;
     }
 
+    os.flush();
     if (!os.good())
     {
         FatalErrorInFunction

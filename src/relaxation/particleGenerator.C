@@ -100,7 +100,8 @@ void Foam::SPH::particleGenerator::setDomain()
             FatalIOErrorInFunction(dict_)
                 << "The spacing " << spacing_->min()
                 << " is larger than the width " << width
-                << " of the fluid" << exit(FatalIOError);
+                << " of the fluid: reduce the entry spacing"
+                << exit(FatalIOError);
         }
     }
 

@@ -41,7 +41,8 @@ Foam::SPH::compressibleFlow::primitiveStart() const
         {
             FatalErrorInFunction
                 << "Field " << field->name() << " in " << runTime_.timePath()
-                << " has values that are not positive" << exit(FatalError);
+                << " has values that are not positive: it is absolute, in "
+                << (field == &T_ ? "K" : "Pa") << exit(FatalError);
         }
     }
 

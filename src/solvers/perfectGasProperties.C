@@ -70,8 +70,9 @@ Foam::SPH::perfectGasFluid Foam::SPH::compressibleFlow::readFluid() const
     if (Cv <= 0)
     {
         FatalIOErrorInFunction(heat)
-            << "Cp is not larger than the gas constant R = " << R
-            << " of molWeight" << exit(FatalIOError);
+            << "Entry Cp " << Cv + R << " is not larger than the gas constant"
+            << " R = " << R << " J/(kg K) of molWeight [kg/kmol]"
+            << exit(FatalIOError);
     }
 
     perfectGasFluid gas;

@@ -88,6 +88,7 @@ void Foam::SPH::fieldNorms::write(const fileName& file) const
             << ',' << n.range << ',' << n.relativeL2 << nl;
     }
 
+    os.flush();
     if (!os.good())
     {
         FatalErrorInFunction
