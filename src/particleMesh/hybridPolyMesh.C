@@ -8,13 +8,38 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hybridPolyMesh.H"
+#include "bandCompression.H"
 #include "cellSpacing.H"
-#include "spaceFillingCurve.H"
 
 #include <algorithm>
 #include <tuple>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::SPH::hybridPolyMesh::number
+(
+    const labelUList& outer,
+    const labelUList& order
+)
+{
+    cellMap_ = labelList(order.size(), -1);
+    ofFvm_ = labelList(fvm_.nCells(), -1);
+    ofParticle_.setSize(data_.points.size());
+    forAll(order, celli)
+    {
+        const label k = order[celli];
+        if (k < outer.size())
+        {
+            cellMap_[celli] = outer[k];
+            ofFvm_[outer[k]] = celli;
+        }
+        else
+        {
+            ofParticle_[k - outer.size()] = celli;
+        }
+    }
+}
+
 
 void Foam::SPH::hybridPolyMesh::order()
 {
@@ -27,34 +52,20 @@ void Foam::SPH::hybridPolyMesh::order()
         }
     }
 
-    const label nParticles = data_.points.size();
-    vectorField local(outer.size() + nParticles);
-    forAll(outer, k)
-    {
-        local[k] = space_.toLocal(fvm_.cellCentres()[outer[k]]);
-    }
-    forAll(data_.points, i)
-    {
-        local[outer.size() + i] = space_.toLocal(data_.points[i]);
-    }
+    number(outer, identity(outer.size() + data_.points.size()));
 
-    const labelList curve(spaceFillingOrder(local, min(data_.spacing)));
-    cellMap_ = labelList(curve.size(), -1);
-    ofFvm_ = labelList(fvm_.nCells(), -1);
-    ofParticle_.setSize(nParticles);
-    forAll(curve, celli)
+    List<DynamicList<label>> neighbours(cellMap_.size());
+    for (const innerFace& f : innerFaces())
     {
-        const label k = curve[celli];
-        if (k < outer.size())
-        {
-            cellMap_[celli] = outer[k];
-            ofFvm_[outer[k]] = celli;
-        }
-        else
-        {
-            ofParticle_[k - outer.size()] = celli;
-        }
+        neighbours[f.owner].append(f.neighbour);
+        neighbours[f.neighbour].append(f.owner);
     }
+    labelListList cellCells(neighbours.size());
+    forAll(cellCells, celli)
+    {
+        cellCells[celli].transfer(neighbours[celli]);
+    }
+    number(outer, bandCompression(cellCells));
 }
 
 
