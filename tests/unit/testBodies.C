@@ -12,6 +12,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fileSurface.H"
+#include "particleZone.H"
 #include "patchSurface.H"
 #include "solidBodies.H"
 #include "spacingFunction.H"
@@ -318,5 +319,94 @@ TEST(FileSurface, missingFileNamesTheOthers)
     );
 }
 
+
+// * * * * * * * * * * * * * * * Cut out of meshes * * * * * * * * * * * * * //
+
+TEST(CutBodies, meshHasThePatchAndTheVolumeThatIsLeft)
+{
+    for (const bool twoD : {true, false})
+    {
+        testCase::layout layout(withHole(twoD));
+        layout.hole = boundBox();
+        layout.nCells = labelVector(16, 16, twoD ? 1 : 16);
+        testCase c(layout);
+        const scalar low = twoD ? -1 : 0.375;
+        const scalar high = twoD ? 1 : 0.625;
+        writeSTL
+        (
+            c,
+            "brick.stl",
+            boxSurface(point(0.375, 0.375, low), point(0.5, 0.75, high), 3)
+        );
+        const scalar solid = 0.125*0.375*(twoD ? 0.1 : 0.25);
+        const dictionary entries
+        (
+            dict("bodies { brick { surface \"brick.stl\"; } }")
+        );
+
+        for (const bool everywhere : {false, true})
+        {
+            dictionary withZone(entries);
+            withZone.merge
+            (
+                dict
+                (
+                    everywhere
+                  ? "zone { type boxToCell; box (-9 -9 -9) (9 9 9); }"
+                  : "zone { type boxToCell; box (.1 .1 -9) (.9 .9 9); }"
+                )
+            );
+            const particleZone zone(c.mesh(), withZone);
+            const fvMesh& mesh = zone.mesh();
+            EXPECT_EQ(zone.everywhere(), everywhere);
+
+            scalar cells = 0;
+            forAll(zone.inside(), celli)
+            {
+                cells += zone.inside()[celli]*c.mesh().V()[celli];
+            }
+            EXPECT_NEAR(gSum(mesh.V()), cells - solid, 1e-14);
+
+            const patchSurface surface(mesh, solutionSpace(mesh));
+            EXPECT_NEAR(surface.volume(), cells - solid, 1e-14);
+
+            const label patchi = mesh.boundaryMesh().findPatchID("brick");
+            ASSERT_EQ(patchi, c.mesh().boundaryMesh().size());
+            const solidBodies bodies(surface, withZone, 1.3);
+            ASSERT_EQ(bodies.size(), 1);
+            EXPECT_EQ(bodies[0].patches(), labelList(1, patchi));
+            EXPECT_NEAR(bodies[0].surface().volume(), solid, 1e-14);
+
+            // Cells with their centres in the solid
+            scalar inside = 0;
+            for (const label celli : zone.bodies().cells())
+            {
+                inside += c.mesh().V()[celli];
+            }
+            EXPECT_NEAR(inside, solid, 1e-14);
+        }
+    }
+}
+
+
+TEST(CutBodies, withoutClosureNothingIsCut)
+{
+    testCase::layout layout(withHole(false));
+    layout.hole = boundBox();
+    testCase c(layout);
+    writeSTL(c, "brick.stl", boxSurface(0.3*point::one, 0.6*point::one, 3));
+    const dictionary entries
+    (
+        dict
+        (
+            "bodies { brick { surface \"brick.stl\"; } }"
+            " closure { type none; }"
+        )
+    );
+
+    const particleZone zone(c.mesh(), entries);
+    EXPECT_EQ(&zone.mesh(), &c.mesh());
+    EXPECT_EQ(zone.bodies().size(), 0);
+}
 
 // ************************************************************************* //
