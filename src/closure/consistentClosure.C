@@ -372,6 +372,9 @@ void Foam::SPH::consistentClosure::close
         if (fixed.found(true) && periodicTranslations(mesh).empty())
         {
             closeTorques(space, graph, tolerance, maxIterations_, data);
+
+            // A few particles bear torques by large areas, with their error
+            closeAreas(space, graph, tolerance, data);
         }
         closeMoments
         (
