@@ -12,7 +12,7 @@ License
 #include "particleMoments.H"
 #include "addToRunTimeSelectionTable.H"
 #include "ListOps.H"
-#include "symmetryPlaneFvPatch.H"
+#include "symmetryPlanePolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -136,17 +136,17 @@ void Foam::SPH::surfaceVectorClosure::close
     boundaryFaceList faces;
     forAll(patchFaces, patchi)
     {
-        const bool planar =
-            isA<symmetryPlaneFvPatch>(mesh.boundary()[patchi]);
+        // OpenFOAM's symmetry planes have one normal
+        const auto* plane =
+            isA<symmetryPlanePolyPatch>(mesh.boundaryMesh()[patchi]);
         for (const part& side : patchFaces[patchi])
         {
             const vector r(side.face.hit - data.points[side.owner]);
-            // OpenFOAM's symmetry planes have one normal
-            const vector& n = side.face.normal;
+            const vector n(plane ? plane->n() : side.face.normal);
             faces.append
             (
                 side.owner,
-                planar ? vector((side.Sf & n)*n) : side.Sf,
+                plane ? vector((side.Sf & n)*n) : side.Sf,
                 side.face.hit,
                 mag(r & n),
                 side.face.facei
