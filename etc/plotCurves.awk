@@ -145,7 +145,8 @@ END {
         print "\"/>"
         for (k = 1; logX && k <= count[c]; ++k)
         {
-            printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n",
+            printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" " \
+                "fill=\"%s\"/>\n",
                 toX(xs[c, k]), toY(ys[c, k]), colours[(c - 1) % 6 + 1]
         }
         printf "<path d=\"M%d %dh24\" stroke=\"%s\" stroke-width=\"3\"/>\n",
