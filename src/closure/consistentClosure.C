@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "consistentClosure.H"
+#include "checkEntries.H"
 #include "borderPatch.H"
 #include "mirroredFaces.H"
 #include "momentClosure.H"
@@ -110,6 +111,13 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     order_(dict.lookupOrDefault<label>("order", 1)),
     nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
     consistentVolumes_(true),
+    latticePairs_
+    (
+        checkedWord
+        (
+            dict, "latticePairs", "automatic", {"automatic", "all", "nearest"}
+        )
+    ),
     tolerance_(dict.lookupOrDefault<scalar>("tolerance", 5e-14)),
     maxIterations_(dict.lookupOrDefault<label>("maxIterations", 20000))
 {
@@ -354,7 +362,10 @@ void Foam::SPH::consistentClosure::close
     for (label sweep = 0; sweep < nSweeps_; ++sweep)
     {
         const scalar largest = max(mag(areaSums(data)()));
-        closeAreas(space, graph, sweepTolerance*largest, data);
+        closeAreas
+        (
+            space, graph, max(sweepTolerance*largest, tolerance), data
+        );
         renormalise(space, data);
     }
     closeAreas(space, graph, tolerance, data);

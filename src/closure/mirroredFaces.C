@@ -75,13 +75,18 @@ namespace SPH
     //- Keep the shares of the first layer, sharpened towards the nearest
     //- particle: the nearer the centre of a face is to the foot of its
     //- particle, the less does a value differ between both
-    static void sharpen(shareList& shares)
+    static void sharpen(const boolList& sites, shareList& shares)
     {
         scalar lowest = GREAT;
+        bool lattice = true;
         for (const share& s : shares)
         {
             lowest = min(lowest, s.height);
+            lattice = lattice && sites[s.particle];
         }
+
+        // Sites of a lattice at a wall have what is nearest to them
+        const scalar smallest = lattice ? 0.99 : smallestShare;
 
         scalar largest = 0;
         for (share& s : shares)
@@ -95,7 +100,7 @@ namespace SPH
             (
                 shares.begin(),
                 shares.end(),
-                [&](const share& s) { return s.weight <= smallestShare*largest; }
+                [&](const share& s) { return s.weight <= smallest*largest; }
             ),
             shares.end()
         );
@@ -176,7 +181,7 @@ namespace SPH
 
         for (shareList& s : shares)
         {
-            sharpen(s);
+            sharpen(data.sites, s);
         }
 
         return shares;

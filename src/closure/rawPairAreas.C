@@ -33,6 +33,55 @@ Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
 }
 
 
+Foam::boolList Foam::SPH::latticeSites
+(
+    const solutionSpace& space,
+    const kernel& W,
+    const particleMeshData& data
+)
+{
+    // Nearest neighbours and diagonals: of more, those would not be enough
+    boolList sites(data.spacing.size(), W.support(1) < 2);
+
+    forAll(data.owner, pairi)
+    {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+        const scalar dp = data.spacing[i];
+        const vector x(space.toLocal(data.delta[pairi])/dp);
+
+        bool onLattice = mag(data.spacing[j] - dp) < 1e-6*dp;
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            onLattice = onLattice && mag(x[d] - round(x[d])) < 1e-6;
+        }
+        if (!onLattice)
+        {
+            sites[i] = false;
+            sites[j] = false;
+        }
+    }
+
+    return sites;
+}
+
+
+Foam::scalar Foam::SPH::normalisedSlope
+(
+    const kernel& W,
+    const scalar r,
+    const scalar spacing,
+    const bool site
+)
+{
+    // The support that has the nearest neighbours of a lattice alone
+    const scalar ratio = site ? 1.4/W.cutOff() : W.smoothingRatio();
+    const scalar moment = site ? -2*W.dWdr(1, ratio) : W.latticeMoment();
+
+    return W.dWdr(r, ratio*spacing)/moment;
+}
+
+
 Foam::vector Foam::SPH::rawPairArea
 (
     const solutionSpace& space,
@@ -41,17 +90,17 @@ Foam::vector Foam::SPH::rawPairArea
     const scalar Vj,
     const scalar spacingi,
     const scalar spacingj,
-    const vector& delta
+    const vector& delta,
+    const bool sitei,
+    const bool sitej
 )
 {
     const scalar r = mag(delta);
-    const scalar hi = W.smoothingRatio()*spacingi;
-    const scalar hj = W.smoothingRatio()*spacingj;
     const scalar slope =
-        hi == hj ? W.dWdr(r, hi) : 0.5*(W.dWdr(r, hi) + W.dWdr(r, hj));
+        normalisedSlope(W, r, spacingi, sitei)
+      + normalisedSlope(W, r, spacingj, sitej);
 
-    return
-        -2*Vi*Vj/space.thickness()*slope/(r*W.latticeMoment())*delta;
+    return -Vi*Vj/space.thickness()*slope/r*delta;
 }
 
 
@@ -60,7 +109,8 @@ Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
     const solutionSpace& space,
     const kernel& W,
     const scalarField& V,
-    const particleMeshData& data
+    const particleMeshData& data,
+    const boolList& sites
 )
 {
     auto tSf = tmp<vectorField>::New(data.owner.size());
@@ -79,7 +129,9 @@ Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
             V[j],
             data.spacing[i],
             data.spacing[j],
-            data.delta[pairi]
+            data.delta[pairi],
+            sites[i],
+            sites[j]
         );
     }
 

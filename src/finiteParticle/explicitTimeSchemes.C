@@ -234,7 +234,7 @@ public:
 
     virtual scalar defaultCo() const
     {
-        return 0.5;
+        return 0.3;
     }
 
     virtual scalar maxDiffusion() const

@@ -8,9 +8,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleMeshAssembly.H"
+#include "bitSet.H"
 #include "cpuTime.H"
 #include "particlePairs.H"
 #include "periodicImages.H"
+#include "ListOps.H"
 #include "rawPairAreas.H"
 #include "spaceFillingCurve.H"
 #include "volFields.H"
@@ -64,6 +66,20 @@ namespace SPH
         }
 
         pairs.subset(keep);
+    }
+
+    //- Of lattice sites that are not nearest neighbours
+    static void dropPairsWithoutArea(particleMeshData& data)
+    {
+        bitSet keep(data.Sf.size());
+        forAll(data.Sf, pairi)
+        {
+            keep.set(pairi, data.Sf[pairi] != vector::zero);
+        }
+        inplaceSubset(keep, data.owner);
+        inplaceSubset(keep, data.neighbour);
+        inplaceSubset(keep, data.delta);
+        inplaceSubset(keep, data.Sf);
     }
 }
 }
@@ -128,7 +144,12 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
       : scalarField(particles.density, order),
         particles.volume > 0 ? particles.volume : gSum(mesh.V())
     );
-    data.Sf = rawPairAreas(space, W, data.V, data);
+    data.sites =
+        method.nearestOnLattice(space.nDims())
+      ? latticeSites(space, W, data)
+      : boolList(n, false);
+    data.Sf = rawPairAreas(space, W, data.V, data, data.sites);
+    dropPairsWithoutArea(data);
 
     const cpuTime clock;
     method.close(mesh, space, W, fluid, data);

@@ -58,7 +58,7 @@ namespace SPH
             "closure",
             {
                 "type", "order", "sweeps", "tolerance", "maxIterations",
-                "volumes", "threshold", "splitCorners"
+                "volumes", "latticePairs", "threshold", "splitCorners"
             }
         }
     });

@@ -67,15 +67,25 @@ void Foam::SPH::meshQuality::addPairAreas()
 {
     const particleMeshData& data = particles_.data();
     const solutionSpace& space = particles_.space();
+
+    // Sites of a lattice that kept their diagonals have the whole support
+    boolList sites(latticeSites(space, particles_.W(), data));
+    forAll(data.owner, pairi)
+    {
+        const label i = data.owner[pairi];
+        if
+        (
+            sites[i] && sites[data.neighbour[pairi]]
+         && mag(data.delta[pairi]) > 1.2*data.spacing[i]
+        )
+        {
+            sites = false;
+            break;
+        }
+    }
     const vectorField raw
     (
-        rawPairAreas
-        (
-            space,
-            particles_.W(),
-            data.V,
-            data
-        )
+        rawPairAreas(space, particles_.W(), data.V, data, sites)
     );
 
     label nFlipped = 0;

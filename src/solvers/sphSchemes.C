@@ -55,6 +55,10 @@ Foam::SPH::sphSchemes::sphSchemes(const Time& runTime)
         setDefault("timeScheme", "symplecticEuler");
         setDefault("density", "variable");
         setDefault("projectStart", "no");
+        if (!found("maxCo"))
+        {
+            add("maxCo", 0.5);
+        }
     }
 }
 
