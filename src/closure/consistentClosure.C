@@ -83,6 +83,17 @@ namespace SPH
             ++number[seti];
         }
 
+        // The boundary of a set is closed unless a neck too narrow for pairs
+        // joins it to another
+        vectorField sum(data.points.size(), Zero);
+        scalarField area(data.points.size(), Zero);
+        forAll(fixed, s)
+        {
+            const label seti = sets[data.boundary.owner[s]];
+            sum[seti] += data.boundary.Sf[s];
+            area[seti] += mag(data.boundary.Sf[s]);
+        }
+
         forAll(fixed, s)
         {
             const label i = data.boundary.owner[s];
@@ -90,6 +101,15 @@ namespace SPH
             const bool far =
                 mag(Cf - data.points[i]) > farthest*data.spacing[i];
 
+            if (mag(sum[sets[i]]) > 1e-6*area[sets[i]])
+            {
+                FatalErrorInFunction
+                    << "zone: a neck narrower than the particles' spacing "
+                    << data.spacing[i] << " joins its part at "
+                    << data.points[i] << " to the rest. Widen it, leave the"
+                    << " part out, or set a smaller spacing"
+                    << exit(FatalError);
+            }
             if (fixed[s] && (far || number[sets[i]] < 2))
             {
                 FatalErrorInFunction
