@@ -363,6 +363,20 @@ TEST(Closure, variableSpacingClosesToo)
 }
 
 
+TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
+{
+    // Binary fractions: no round-off is left over
+    testCase::layout layout;
+    layout.periodic[0] = layout.periodic[1] = true;
+    particleScene scene(layout, 0.0625, 0);
+
+    const auto raw = scene.assemble("type none;");
+    const auto m = scene.assemble("order 1;");
+    EXPECT_LT(max(mag(m->Sf() - raw->Sf()))/faceArea(*raw), 1e-13);
+    EXPECT_LT(max(mag(m->V()/raw->V() - 1)), 1e-13);
+}
+
+
 // * * * * * * * * * * * * * * *  surfaceVector  * * * * * * * * * * * * * * //
 
 TEST(SurfaceVector, closesParticlesOfTheBoundaryWithinTheirPatch)

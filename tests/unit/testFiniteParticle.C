@@ -349,6 +349,50 @@ scalarField totalChange
     return change;
 }
 
+
+//- Conserved variables after an Euler step from the primitive ones between slip
+//- walls
+template<class Fluid>
+List<scalarField> stepped
+(
+    const Fluid& fluid,
+    const word& flux,
+    const word& limiter,
+    const List<scalarField>& W
+)
+{
+    givenStates faces(particles(), W.size());
+    faces.setTreatment(faceStates::slip);
+
+    autoPtr<conservationLaw> law(makeLaw(fluid, flux, limiter, faces));
+    law->setPrimitive(W);
+    law->store();
+    law->evaluate();
+    EXPECT_TRUE(law->update(1, 1e-5, 0, law->nVariables()));
+
+    List<scalarField> Q(W.size());
+    forAll(Q, v)
+    {
+        Q[v] = law->conserved(v);
+    }
+    return Q;
+}
+
+
+void expectEqualSteps
+(
+    const List<scalarField>& a,
+    const List<scalarField>& b
+)
+{
+    ASSERT_EQ(a.size(), b.size());
+    forAll(a, v)
+    {
+        EXPECT_GT(max(a[v]), min(a[v]));
+        EXPECT_LT(max(mag(a[v] - b[v])), 1e-14*max(mag(a[v]))) << v;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -633,6 +677,59 @@ TEST(ConservationLaw, IsBitwiseTheSameForAnyNumberOfThreads)
     omp_set_num_threads(nThreads);
 
     EXPECT_EQ(results[0], results[1]);
+}
+
+
+TEST(ConservationLaw, ZeroViscosityIsWhatASmallOneTendsTo)
+{
+    // Loops without viscous terms against those with terms below round-off
+    weaklyCompressibleFluid thinWater(water);
+    weaklyCompressibleFluid inviscidWater(water);
+    thinWater.nu = 1e-100;
+    inviscidWater.nu = 0;
+    perfectGasFluid thinAir(air);
+    thinAir.mu = 1e-100;
+    ASSERT_TRUE(thinAir.viscous());
+    ASSERT_FALSE(air.viscous());
+
+    const List<scalarField> waterStates(disturbed({1, 1, 1}));
+    const List<scalarField> airStates(disturbed({300, 60, 20, 1e5}));
+
+    for (const word limiter : {"firstOrder", "none", "vanLeer"})
+    {
+        SCOPED_TRACE(limiter);
+        expectEqualSteps
+        (
+            stepped(thinWater, "linearisedLimited", limiter, waterStates),
+            stepped(inviscidWater, "linearisedLimited", limiter, waterStates)
+        );
+        expectEqualSteps
+        (
+            stepped(thinAir, "HLLC", limiter, airStates),
+            stepped(air, "HLLC", limiter, airStates)
+        );
+    }
+}
+
+
+TEST(ConservationLaw, FirstOrderIsReconstructionWithZeroGradients)
+{
+    // One particle apart from all others: its limited gradient is zero, and
+    // so are those of its neighbours, as no value may leave their range
+    const label middle = particles().nParticles()/2 + nSide/2;
+    const scalarList base({300, 60, 20, 1e5});
+    List<scalarField> W(base.size());
+    forAll(base, v)
+    {
+        W[v].setSize(particles().nParticles(), base[v]);
+        W[v][middle] *= 1.1;
+    }
+
+    expectEqualSteps
+    (
+        stepped(air, "HLLC", "firstOrder", W),
+        stepped(air, "HLLC", "BarthJespersen", W)
+    );
 }
 
 
