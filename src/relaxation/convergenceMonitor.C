@@ -49,7 +49,8 @@ Foam::label Foam::SPH::convergenceMonitor::left() const
 
 void Foam::SPH::convergenceMonitor::add(const record& state)
 {
-    if (firstEnergy_ == 0)
+    // Not of a lattice that is at rest but for round-off
+    if (firstEnergy_ == 0 && state.maxResidual > 1e-10)
     {
         firstEnergy_ = state.kineticEnergy;
     }

@@ -531,6 +531,22 @@ TEST(ConvergenceMonitor, estimatesWhatIsLeftOfAPowerLaw)
 }
 
 
+TEST(ConvergenceMonitor, doesNotDivideByRoundOff)
+{
+    convergenceMonitor monitor(1e-3, 0, 50);
+    convergenceMonitor::record state;
+    state.kineticEnergy = 5e-29;
+    state.maxResidual = 5e-14;
+    monitor.add(state);
+    EXPECT_EQ(monitor.history().last().kineticEnergy, 0);
+
+    state.kineticEnergy = 9e-8;
+    state.maxResidual = 4e-4;
+    monitor.add(state);
+    EXPECT_EQ(monitor.history().last().kineticEnergy, 1);
+}
+
+
 TEST(Relaxation, badInputIsNamed)
 {
     testCase square(cylinder());
