@@ -28,7 +28,7 @@ namespace
 //- Path of the mesh for messages
 fileName meshPath(const polyMesh& mesh)
 {
-    return mesh.time().path()/mesh.meshDir();
+    return mesh.boundaryMesh().path();
 }
 
 

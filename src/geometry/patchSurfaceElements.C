@@ -28,7 +28,7 @@ namespace
 void failNotExtruded(const polyMesh& mesh, const string& where)
 {
     FatalErrorInFunction
-        << "The mesh in " << mesh.time().path()/mesh.meshDir()
+        << "The mesh in " << mesh.boundaryMesh().path()
         << " has empty patches but is not one layer of cells extruded along "
         << "a coordinate axis: " << where.c_str() << exit(FatalError);
 }

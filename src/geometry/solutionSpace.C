@@ -20,12 +20,12 @@ Foam::SPH::solutionSpace::solutionSpace(const polyMesh& mesh)
     thickness_(1),
     midPlane_(Zero)
 {
-    const fileName file(mesh.meshDir()/"boundary");
+    const fileName file(mesh.boundaryMesh().objectPath());
 
     if (returnReduce(mesh.nCells(), sumOp<label>()) == 0)
     {
         FatalErrorInFunction
-            << "The mesh in " << mesh.time().path()/mesh.meshDir()
+            << "The mesh in " << file.path()
             << " has no cells" << exit(FatalError);
     }
 
@@ -35,7 +35,7 @@ Foam::SPH::solutionSpace::solutionSpace(const polyMesh& mesh)
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " in "
-                << mesh.time().path()/file << " has type wedge, which is not"
+                << file << " has type wedge, which is not"
                 << " supported. Valid choices: a 2-D case with empty patches"
                 << " or a 3-D case" << exit(FatalError);
         }
@@ -63,7 +63,7 @@ Foam::SPH::solutionSpace::solutionSpace(const polyMesh& mesh)
     if (nDims_ == 0)
     {
         FatalErrorInFunction
-            << "All directions of the mesh in " << mesh.time().path()/file
+            << "All directions of the mesh in " << file
             << " are empty" << exit(FatalError);
     }
 }

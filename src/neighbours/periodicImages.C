@@ -36,7 +36,7 @@ namespace SPH
             FatalErrorInFunction
                 << "The cyclic patches " << pp.name() << " and "
                 << pp.neighbPatchName() << " of "
-                << mesh.time().path()/mesh.meshDir()/"boundary"
+                << mesh.boundaryMesh().objectPath()
                 << " are not a translation of one another. Valid cyclic"
                 << " transforms: translational" << exit(FatalError);
         }
@@ -67,7 +67,7 @@ Foam::labelList Foam::SPH::periodicPatches(const polyMesh& mesh)
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " of "
-                << mesh.time().path()/mesh.meshDir()/"boundary"
+                << mesh.boundaryMesh().objectPath()
                 << " has type " << pp.type() << ", which is not supported."
                 << " Valid coupled patch types: cyclic" << exit(FatalError);
         }

@@ -146,7 +146,8 @@ void Foam::SPH::particleVtp::write(const UList<point>& points)
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetFileName(file_.c_str());
     writer->SetInputData(contents_->data);
-    if (!writer->Write())
+    writer->Write();
+    if (writer->GetErrorCode())
     {
         FatalErrorInFunction
             << "Cannot write " << file_ << exit(FatalError);

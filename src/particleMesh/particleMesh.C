@@ -21,7 +21,7 @@ void Foam::SPH::particleMesh::check() const
         {
             FatalErrorInFunction
                 << "The " << name << " of the particles in "
-                << mesh_.time().path()/mesh_.meshDir()
+                << mesh_.boundaryMesh().path()
                 << " are not all positive. Generate the particles anew with"
                 << " sphMesh -overwrite" << exit(FatalError);
         }

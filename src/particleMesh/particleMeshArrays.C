@@ -255,7 +255,7 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
         {
             FatalErrorInFunction
                 << "Patch " << pp.name() << " of "
-                << mesh.time().path()/mesh.meshDir()/"boundary"
+                << mesh.boundaryMesh().objectPath()
                 << " has type " << pp.type() << ", which is not supported."
                 << " Valid coupled patch types: cyclic" << exit(FatalError);
         }

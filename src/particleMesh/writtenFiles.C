@@ -156,8 +156,7 @@ void Foam::SPH::writtenFiles::write() const
     mkDir(recordFile(path_).path());
     OFstream os(recordFile(path_));
     record.write(os, false);
-    os.flush();
-    if (!os.good())
+    if (!os.stdStream().flush())
     {
         FatalErrorInFunction
             << "Cannot write " << os.name() << exit(FatalError);

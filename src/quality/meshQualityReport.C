@@ -194,8 +194,7 @@ void Foam::SPH::meshQuality::write(const fileName& file) const
             << nl;
     }
 
-    os.flush();
-    if (!os.good())
+    if (!os.stdStream().flush())
     {
         FatalErrorInFunction
             << "Cannot write " << file << exit(FatalError);

@@ -64,6 +64,10 @@ void Foam::SPH::convergenceMonitor::add(const record& state)
 
 bool Foam::SPH::convergenceMonitor::converged() const
 {
+    if (history_.empty())
+    {
+        return false;
+    }
     const record& last = history_.last();
 
     return

@@ -29,8 +29,8 @@ Foam::IOobject Foam::SPH::flowSolver::fieldIO(const word& name) const
     {
         FatalErrorInFunction
             << "No field " << name << " of type " << fieldType::typeName
-            << " in " << runTime_.timePath() << ". Give it there; for particles,"
-            << " in the FVM case before sphMesh" << exit(FatalError);
+            << " in " << runTime_.timePath() << ". Give it there; for"
+            << " particles, in the FVM case before sphMesh" << exit(FatalError);
     }
 
     return io;

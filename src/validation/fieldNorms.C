@@ -88,8 +88,7 @@ void Foam::SPH::fieldNorms::write(const fileName& file) const
             << ',' << n.range << ',' << n.relativeL2 << nl;
     }
 
-    os.flush();
-    if (!os.good())
+    if (!os.stdStream().flush())
     {
         FatalErrorInFunction
             << "Cannot write " << file << exit(FatalError);

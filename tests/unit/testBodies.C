@@ -191,8 +191,37 @@ TEST(SolidBodies, namedPatchesAndTheirErrors)
     expectMessage([&]{ bodies(""); }, {"block", "'patches' and 'surface'"});
     expectMessage
     (
+        [&]{ solidBodies(surface, dict("bodies { block 3; }"), 1.3); },
+        {"Entry block", "not a dictionary", "left right bottom top hole"}
+    );
+    expectMessage
+    (
         [&]{ bodies("patches (hole); smoothingRatio -1;"); },
         {"block", "smoothingRatio -1"}
+    );
+}
+
+
+TEST(SolidBodies, surfaceFilesNeedTwoDimensions)
+{
+    testCase::layout layout;
+    layout.nCells = labelVector(8, 1, 1);
+    layout.patchTypes.set("bottom", "empty");
+    layout.patchTypes.set("top", "empty");
+    testCase c(layout);
+    writeSTL(c, "s.stl", boxSurface(-0.1*point::one, 0.1*point::one, 2));
+    const patchSurface surface(c.mesh(), solutionSpace(c.mesh()));
+
+    expectMessage
+    (
+        [&]
+        {
+            solidBodies
+            (
+                surface, dict("bodies { block { surface \"s.stl\"; } }"), 1.3
+            );
+        },
+        {"Body block", "s.stl", "one-dimensional", "entry patches"}
     );
 }
 

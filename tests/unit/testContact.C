@@ -9,7 +9,9 @@ License
 
 #include "boundaryStates.H"
 #include "conservationLaw.H"
+#include "contactBoundary.H"
 #include "givenStates.H"
+#include "particleFiles.H"
 #include "particleScene.H"
 #include "Random.H"
 #include "treatedParticleMesh.H"
@@ -520,6 +522,36 @@ TEST(Contact, NeedsAWall)
         ).find("U has a boundary condition of type zeroGradient there"),
         std::string::npos
     );
+}
+
+
+TEST(Contact, needsParticlesAtTheWall)
+{
+    // The cells at the left are cut out
+    testCase::layout layout;
+    layout.hole = boundBox(point(-1, -1, -1), point(0.1, 2, 1));
+    testCase c(layout);
+
+    boundaryFaces faces;
+    faces.start = labelList({0, 1});
+    faces.owner = labelList({0});
+    faces.Cf = pointField(1, point::zero);
+    const std::string message
+    (
+        errorMessage
+        (
+            [&]
+            {
+                writeContactBoundary(particleFiles(c.time()), c.mesh(), faces);
+            }
+        )
+    );
+    EXPECT_NE
+    (
+        message.find("Patch left has solid particles behind it, but no"),
+        std::string::npos
+    )   << message;
+    EXPECT_NE(message.find("entry spacing"), std::string::npos) << message;
 }
 
 

@@ -871,11 +871,24 @@ TEST(SphSchemes, ListTheValidWords)
         return text.find(part) != std::string::npos;
     };
 
-    EXPECT_TRUE(contains(message("fluxScheme", "HLLC"), "linearisedLimited"));
-    EXPECT_TRUE(contains(message("reconstruction", "quadratic"), "linear"));
-    EXPECT_TRUE(contains(message("limiter", "superbee"), "vanAlbada"));
-    EXPECT_TRUE(contains(message("wallGradient", "cubic"), "quadratic"));
-    EXPECT_TRUE(contains(message("timeScheme", "Euler"), "SSPRK3"));
+    const char* const choices[][3] =
+    {
+        {"fluxScheme", "HLLC", "linearisedLimited"},
+        {"reconstruction", "quadratic", "linear"},
+        {"limiter", "superbee", "vanAlbada"},
+        {"wallGradient", "cubic", "quadratic"},
+        {"timeScheme", "Euler", "SSPRK3"}
+    };
+    for (const auto& c : choices)
+    {
+        const std::string text(message(c[0], c[1]));
+        const std::string unknown
+        (
+            std::string("Unknown ") + c[0] + ' ' + c[1]
+        );
+        EXPECT_TRUE(contains(text, unknown.c_str())) << text;
+        EXPECT_TRUE(contains(text, c[2])) << text;
+    }
 }
 
 

@@ -301,7 +301,8 @@ TEST(Kernel, errorsSayWhatIsValid)
     (
         errorMessage([&]{ makeKernel("WendlandC2", 2, 0.2); })
     );
-    EXPECT_NE(range.find("smoothingRatio"), std::string::npos) << range;
+    EXPECT_NE(range.find("smoothingRatio 0.2 is outside"), std::string::npos)
+        << range;
 }
 
 // ************************************************************************* //

@@ -12,6 +12,7 @@ Description
 
 #include "testCase.H"
 #include "cellGrid.H"
+#include "checkedLabel.H"
 #include "particlePairs.H"
 #include "periodicImages.H"
 #include "Random.H"
@@ -207,6 +208,19 @@ TEST(ParticlePairs, periodShorterThanTheRadiusIsRefused)
 
     EXPECT_NE(message.find("cyclic"), std::string::npos) << message;
     EXPECT_NE(message.find("spacing"), std::string::npos) << message;
+}
+
+
+TEST(ParticlePairs, moreThanLabelsCountAreRefused)
+{
+    EXPECT_EQ(checkedLabel(labelMax, "pairs"), labelMax);
+
+    const std::string message
+    (
+        errorMessage([]{ checkedLabel(2.0*labelMax, "pairs"); })
+    );
+    EXPECT_NE(message.find("pairs"), std::string::npos) << message;
+    EXPECT_NE(message.find("WM_LABEL_SIZE"), std::string::npos) << message;
 }
 
 

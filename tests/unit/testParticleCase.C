@@ -13,7 +13,11 @@ Description
 
 #include "particleScene.H"
 #include "IFstream.H"
+#include "labelIOList.H"
+#include "IStringStream.H"
 #include "OSspecific.H"
+#include "particleMeshProperties.H"
+#include "particleZone.H"
 #include "Random.H"
 #include "solidParticles.H"
 
@@ -484,6 +488,10 @@ TEST_F(StoredParticles, damagedArraysAreRefusedByName)
     );
     EXPECT_TRUE(contains(readError(), "spacings")) << readError();
 
+    files.writeArray<labelIOList>("spacing", labelList(3, Zero));
+    EXPECT_TRUE(contains(readError(), "No scalarField in")) << readError();
+    EXPECT_TRUE(contains(readError(), "sphMesh -overwrite")) << readError();
+
     setContent(folder/"spacing", good);
     EXPECT_EQ(readError(), "");
 }
@@ -511,9 +519,29 @@ TEST_F(StoredParticles, anotherMeshOrDictionaryMakesThemOld)
     particleCase(scene->mesh()).updateSource();
     EXPECT_EQ(openError(), "");
 
+    scene->files().write("system/sphMeshDict", "spacing 0.0500000001;");
+    EXPECT_TRUE(contains(openError(), "older than sphMeshDict"));
+    particleCase(scene->mesh()).updateSource();
+
     rm(folder/"sphMeshProperties");
     EXPECT_TRUE(contains(openError(), "is no particle case")) << openError();
     EXPECT_TRUE(contains(openError(), "-cells")) << openError();
+}
+
+
+TEST_F(StoredParticles, haveADigestOfAllDigits)
+{
+    const particleZone whole(scene->mesh(), dictionary());
+    const auto digest = [&](const std::string& text)
+    {
+        return particleMeshProperties
+        (
+            whole, dictionary(IStringStream(text)())
+        ).get<word>("digest");
+    };
+
+    EXPECT_EQ(digest("spacing 0.05;"), digest("spacing 5e-2;"));
+    EXPECT_NE(digest("spacing 0.05;"), digest("spacing 0.0500000001;"));
 }
 
 

@@ -567,9 +567,9 @@ TEST(Relaxation, badInputIsNamed)
         return text.find(word) != std::string::npos;
     };
 
-    EXPECT_TRUE(contains(message("kernel {}"), "spacing"));
-    EXPECT_TRUE(contains(message("spacing -0.1;"), "spacing"));
-    EXPECT_TRUE(contains(message("spacing 5;"), "spacing"));
+    EXPECT_TRUE(contains(message("kernel {}"), "'spacing' is missing"));
+    EXPECT_TRUE(contains(message("spacing -0.1;"), "is -0.1 but must be"));
+    EXPECT_TRUE(contains(message("spacing 5;"), "Body hole has a size"));
 
     const std::string lattice(message("spacing 0.1; lattice cubes;"));
     EXPECT_TRUE(contains(lattice, "cubes"));
@@ -587,7 +587,8 @@ TEST(Relaxation, badInputIsNamed)
     (
         contains
         (
-            message("spacing 0.1; relaxation { tolerance -1; }"), "tolerance"
+            message("spacing 0.1; relaxation { tolerance -1; }"),
+            "Entry tolerance is -1, but must be positive"
         )
     );
     EXPECT_TRUE
@@ -595,9 +596,72 @@ TEST(Relaxation, badInputIsNamed)
         contains
         (
             message("spacing 0.1; lattice { type square; jitter 2; }"),
-            "jitter"
+            "jitter 2 is outside the range 0 to 0.5"
         )
     );
+    EXPECT_TRUE
+    (
+        contains
+        (
+            message("spacing 0.1; relaxation { momentum 1; }"),
+            "momentum is 1, which is outside the range 0 to 0.99"
+        )
+    );
+    EXPECT_TRUE
+    (
+        contains
+        (
+            message
+            (
+                "spacing 0.1; relaxation { type viscousInertial; viscosity 0; }"
+            ),
+            "viscosity is 0, but must be positive"
+        )
+    );
+}
+
+
+TEST(Relaxation, spacingLargerThanTheFluidIsRefused)
+{
+    testCase square(testCase::layout{});
+    const std::string message
+    (
+        errorMessage
+        (
+            [&]{ particleGenerator(square.mesh(), sphMeshDict("spacing 2;")); }
+        )
+    );
+    EXPECT_NE
+    (
+        message.find("spacing 2 is larger than the width 1 of the fluid"),
+        std::string::npos
+    )   << message;
+}
+
+
+TEST(Relaxation, withoutIterationsIsRepairedOnly)
+{
+    testCase square(cylinder());
+    const std::string message
+    (
+        errorMessage
+        (
+            [&]
+            {
+                particleGenerator generator
+                (
+                    square.mesh(),
+                    sphMeshDict
+                    (
+                        "spacing 0.2; lattice { type square; jitter 0.5; }"
+                        "relaxation { maxIterations 0; }"
+                    )
+                );
+                generator.generate();
+            }
+        )
+    );
+    EXPECT_EQ(message, "");
 }
 
 

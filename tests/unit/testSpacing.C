@@ -221,6 +221,14 @@ TEST_F(SpacingFunction, errorsSayWhatIsValid)
         {"Region a", "no extent"}
     );
     expectError("spacing { type fromMesh; min 2; max 1; }", {"min 2", "max 1"});
+    for (const std::string group : {"near", "regions"})
+    {
+        expectError
+        (
+            "spacing { type refined; base 1; " + group + " { hole 2; } }",
+            {"Entry hole of " + group, "not a dictionary", "'spacing'"}
+        );
+    }
 }
 
 

@@ -347,7 +347,7 @@ TEST(LineProfile, samplesLinearFieldsAndLeavesHolesOut)
 }
 
 
-TEST(LineProfile, outsideTheMeshIsAnError)
+TEST(LineProfile, withoutPointsInTheMeshIsAnError)
 {
     testCase box(testCase::layout{});
     const std::string message
@@ -366,6 +366,23 @@ TEST(LineProfile, outsideTheMeshIsAnError)
     );
     EXPECT_TRUE(contains(message, "Line far")) << message;
     EXPECT_TRUE(contains(message, "no point inside the mesh")) << message;
+
+    const std::string onePoint
+    (
+        errorMessage
+        (
+            [&]
+            {
+                lineProfile
+                (
+                    "short", box.mesh(), solutionSpace(box.mesh()),
+                    dictionaryOf("start (0 0 0); end (1 1 0); nPoints 1;")
+                );
+            }
+        )
+    );
+    EXPECT_TRUE(contains(onePoint, "nPoints of line short is 1")) << onePoint;
+    EXPECT_TRUE(contains(onePoint, "2 or more")) << onePoint;
 }
 
 
@@ -537,6 +554,16 @@ TEST(ReferenceCase, thatIsNoCaseIsAnError)
         errorMessage([&] { referenceCase(box.mesh(), "/nowhere/at/all"); })
     );
     EXPECT_TRUE(contains(message, "/at/all\" is not a case")) << message;
+
+    testCase::layout layout;
+    layout.twoD = false;
+    testCase cube(layout);
+    const std::string dimensions
+    (
+        errorMessage([&] { referenceCase(box.mesh(), cube.path()); })
+    );
+    EXPECT_TRUE(contains(dimensions, cube.path() + "\" has 3")) << dimensions;
+    EXPECT_TRUE(contains(dimensions, "the case 2")) << dimensions;
 }
 
 
@@ -601,10 +628,10 @@ TEST(ComparisonPictures, showEveryFieldAndNameAPlaneOutsideTheMesh)
     (
         contains
         (
-            message("views { far { min (7 7 0); max (8 8 0); } }"), "view far"
+            message("views { far { min (7 7 0); max (8 8 0); } }"),
+            "min and max of view far"
         )
     );
-
     const virtualDisplay display;
     if (!virtualDisplay::available())
     {
@@ -627,6 +654,31 @@ TEST(ComparisonPictures, showEveryFieldAndNameAPlaneOutsideTheMesh)
 
     // More than an empty white picture has
     EXPECT_GT(png.size(), 10000u);
+}
+
+
+TEST(ComparisonPictures, planesThatAreNoneAreNamed)
+{
+    testCase::layout layout;
+    layout.twoD = false;
+    testCase cube(layout);
+    const solutionSpace space(cube.mesh());
+    const auto message = [&](const std::string& view)
+    {
+        const comparisonControls controls
+        (
+            dictionaryOf("views { side {" + view + "} }")
+        );
+        return errorMessage
+        (
+            [&] { comparisonPictures(cube.mesh(), space, controls, nullptr); }
+        );
+    };
+
+    const std::string flat(message("origin (0 0 0); normal (0 0 0);"));
+    EXPECT_TRUE(contains(flat, "normal of view side is (0 0 0)")) << flat;
+    const std::string off(message("origin (9 0 0); normal (1 0 0);"));
+    EXPECT_TRUE(contains(off, "plane of view side, origin (9 0 0)")) << off;
 }
 
 

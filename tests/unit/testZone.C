@@ -493,6 +493,11 @@ TEST(ZoneCells, wrongZonesAreRefused)
     );
     EXPECT_NE
     (
+        message("{a 3;}").find("Entry a of zone is no dictionary"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
         message("{a {type boxToCell; box (0 0 0) (1 1 1); action grow;}}")
        .find("subtract"),
         std::string::npos
@@ -517,7 +522,7 @@ TEST(ZoneCells, onlyOneOfTwoCyclicFaces)
                     dictOf("zone {type boxToCell; box (0 0 -1) (0.4 1 1);}")
                 );
             }
-        ).find("left"),
+        ).find("only the cell at left is in the zone"),
         std::string::npos
     );
 }
