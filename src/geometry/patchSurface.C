@@ -10,6 +10,7 @@ License
 #include "patchSurface.H"
 #include "Time.H"
 #include "cyclicPolyPatch.H"
+#include "cyclicAMIPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "HashSet.H"
@@ -46,7 +47,8 @@ void checkPatchTypes(const polyMesh& mesh)
                 << exit(FatalError);
         }
 
-        // Overset patches are not coupled, and generic without their library
+        // Arbitrary couplings are not coupled in this sense; overset patches
+        // are generic without their library
         OStringStream os;
         pp.write(os);
         const word type(dictionary(IStringStream(os.str())()).get<word>("type"));
@@ -54,6 +56,7 @@ void checkPatchTypes(const polyMesh& mesh)
         if
         (
             (pp.coupled() && !isA<cyclicPolyPatch>(pp))
+         || isA<cyclicAMIPolyPatch>(pp)
          || type == "overset"
         )
         {

@@ -14,6 +14,7 @@ Description
 #include "cellSpacing.H"
 #include "cutPairs.H"
 #include "particleFiles.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -249,7 +250,7 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
         }
         else if
         (
-            pp.coupled()
+            (pp.coupled() || isA<cyclicAMIPolyPatch>(pp))
          && !(Pstream::parRun() && isA<processorPolyPatch>(pp))
         )
         {
