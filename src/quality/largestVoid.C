@@ -87,6 +87,18 @@ namespace
         }
     }
 
+    //- Has a tetrahedron no volume but round-off: no sphere is its own, and
+    //- CGAL would divide by zero
+    bool flat(const tetrahedralisation::Cell& cell)
+    {
+        const vector origin(toLocal(cell.vertex(0)->point()));
+        const vector a(toLocal(cell.vertex(1)->point()) - origin);
+        const vector b(toLocal(cell.vertex(2)->point()) - origin);
+        const vector c(toLocal(cell.vertex(3)->point()) - origin);
+
+        return mag((a ^ b) & c) <= 1e-9*mag(a)*mag(b)*mag(c);
+    }
+
     //- Call f(centre) for the circumcentre of each tetrahedron
     template<class Function>
     void forCentres(const tetrahedralisation& t, Function&& f)
@@ -98,6 +110,10 @@ namespace
             ++cell
         )
         {
+            if (flat(*cell))
+            {
+                continue;
+            }
             f
             (
                 t.geom_traits().construct_circumcenter_3_object()

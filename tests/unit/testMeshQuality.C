@@ -228,4 +228,30 @@ TEST(LargestVoid, isTheEmptySphereOfALattice)
     }
 }
 
+
+TEST(LargestVoid, ofOneLayerInThreeDimensionsIsNone)
+{
+    // In one plane but for round-off
+    DynamicList<vector> points;
+    for (label j = 0; j < 9; ++j)
+    {
+        for (label i = 0; i < 9; ++i)
+        {
+            points.append(0.2*vector(i, j, 0) + vector(0, 0, 1e-17*(i*j % 3)));
+        }
+    }
+    EXPECT_EQ
+    (
+        largestVoid
+        (
+            3,
+            points,
+            scalarField(points.size(), 0.2),
+            [](const vector&) { return true; }
+        ),
+        0
+    );
+}
+
+
 // ************************************************************************* //
