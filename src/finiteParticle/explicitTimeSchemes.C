@@ -118,6 +118,8 @@ class automatic
 :
     public SSPRK3
 {
+    static constexpr label leastStages = 5;
+
     //- Diffusive rate of the state that the step was found for [1/s]
     scalar diffusion_ = 0;
 
@@ -130,13 +132,13 @@ class automatic
         return j < 3 ? 1.0/3.0 : (j*j + j - 2)/(2.0*j*(j + 1));
     }
 
-    //- Least odd number of stages for a step, 5 or more
+    //- Least odd number of stages for a step
     label nStages(const scalar dt) const
     {
         // Stable up to eigenvalues of (s^2 + s - 2)/2, less a tenth
         const scalar q = dt*diffusion_/(0.9*0.25);
         const label s = std::ceil(0.5*(std::sqrt(9 + 4*q) - 1));
-        return max(label(5), s + 1 - s % 2);
+        return max(leastStages, s + 1 - s % 2);
     }
 
 protected:
@@ -192,9 +194,14 @@ public:
     )
     {
         shortStep_ = SSPRK3::stableDeltaT(law, maxCo);
-        diffusion_ = law.stableRate(GREAT, 1);
 
         const scalar longStep = 1/law.stableRate(maxCo, GREAT);
+        if (leastStages*shortStep_ >= 3*longStep)
+        {
+            return shortStep_;
+        }
+
+        diffusion_ = law.stableRate(GREAT, 1);
         return
             nStages(longStep)*shortStep_ < 3*longStep ? longStep : shortStep_;
     }

@@ -51,7 +51,8 @@ void checkPatchTypes(const polyMesh& mesh)
         // are generic without their library
         OStringStream os;
         pp.write(os);
-        const word type(dictionary(IStringStream(os.str())()).get<word>("type"));
+        const dictionary dict(IStringStream(os.str())());
+        const word type(dict.get<word>("type"));
 
         if
         (
@@ -113,8 +114,9 @@ void checkBaffles(const polyMesh& mesh)
             {
                 const polyBoundaryMesh& patches = mesh.boundaryMesh();
                 FatalErrorInFunction
-                    << "The patches " << patches[patches.whichPatch(facei)].name()
-                    << " and " << patches[patches.whichPatch(other)].name()
+                    << "The patches "
+                    << patches[patches.whichPatch(facei)].name() << " and "
+                    << patches[patches.whichPatch(other)].name()
                     << " in " << meshPath(mesh) << " lie back to back at "
                     << mesh.faceCentres()[facei]
                     << ": walls of no thickness are not supported."

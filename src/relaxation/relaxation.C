@@ -12,8 +12,6 @@ License
 #include "latticePattern.H"
 #include "IOstreams.H"
 
-#include <algorithm>
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::SPH::relaxation::resetList()
@@ -269,8 +267,6 @@ void Foam::SPH::relaxation::findResiduals
     state.maxResidual = absolute;
     state.relativeResidual = relative;
 
-    const label nMoved =
-        std::count(touched_.begin(), touched_.end(), true);
     scalar layerSqr = 0;
     for (const label i : firstLayer_)
     {
@@ -280,7 +276,7 @@ void Foam::SPH::relaxation::findResiduals
     (
         max
         (
-            sumSqr/max(label(1), nMoved),
+            sumSqr/max(label(1), nTouched_),
             layerSqr/max(label(1), firstLayer_.size())
         )
     );

@@ -22,6 +22,7 @@ void Foam::SPH::relaxation::collectTargets()
         targets.clear();
     }
 
+    nTouched_ = 0;
     for (label i = 0; i < particles_.nParticles(); ++i)
     {
         if (particles_.active[i])
@@ -29,6 +30,7 @@ void Foam::SPH::relaxation::collectTargets()
             targets_[particles_.role[i]].append(i);
             touched_[i] = true;
         }
+        nTouched_ += touched_[i];
     }
 }
 

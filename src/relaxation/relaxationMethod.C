@@ -36,7 +36,8 @@ Foam::SPH::relaxationMethod::relaxationMethod
     (
         dict.getOrDefault<scalar>
         (
-            "rmsTolerance", dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 4e-3 : 2e-3
+            "rmsTolerance",
+            dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 4e-3 : 2e-3
         )
     ),
     disturbance_(dict.getOrDefault<scalar>("disturbance", max(0.02, tolerance_))),
