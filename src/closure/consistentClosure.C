@@ -131,12 +131,10 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     order_(dict.lookupOrDefault<label>("order", 1)),
     nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
     consistentVolumes_(true),
-    latticePairs_
+    nearestOnLattice_
     (
-        checkedWord
-        (
-            dict, "latticePairs", "automatic", {"automatic", "all", "nearest"}
-        )
+        checkedWord(dict, "latticePairs", "nearest", {"nearest", "all"})
+     == "nearest"
     ),
     tolerance_(dict.lookupOrDefault<scalar>("tolerance", 5e-14)),
     maxIterations_(dict.lookupOrDefault<label>("maxIterations", 20000))

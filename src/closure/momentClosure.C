@@ -10,6 +10,7 @@ License
 #include "momentClosure.H"
 #include "pairMultigrid.H"
 #include "particleMoments.H"
+#include "siteLines.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -100,6 +101,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         diagonal[data.owner[pairi]] += block;
         diagonal[data.neighbour[pairi]] += block;
     }
+    const siteLines lines(d, data, area, normal, diagonal);
     forAll(diagonal, i)
     {
         for (label c = d; c < 3; ++c)
@@ -169,7 +171,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         }
     };
 
-    const auto jacobi = [&](const scalarField& r, scalarField& z)
+    const auto smooth = [&](const scalarField& r, scalarField& z)
     {
         #pragma omp parallel for schedule(static)
         for (label i = 0; i < n; ++i)
@@ -187,6 +189,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                 }
             }
         }
+        lines.solve(r, z);
     };
 
     const pairMultigrid multigrid
@@ -223,7 +226,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         A,
         [&](const scalarField& r, scalarField& z)
         {
-            multigrid.precondition(A, jacobi, r, z, d);
+            multigrid.precondition(A, smooth, r, z, d);
         },
         b,
         eta,

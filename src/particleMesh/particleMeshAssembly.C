@@ -145,7 +145,7 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
         particles.volume > 0 ? particles.volume : gSum(mesh.V())
     );
     data.sites =
-        method.nearestOnLattice(space.nDims())
+        method.nearestOnLattice()
       ? latticeSites(space, W, data)
       : boolList(n, false);
     data.Sf = rawPairAreas(space, W, data.V, data, data.sites);
