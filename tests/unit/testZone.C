@@ -75,7 +75,10 @@ public:
     {
         particleGenerator generator(zone.mesh(), dict);
         generator.generate();
-        const autoPtr<closure> method(closure::New(dictionary()));
+        const autoPtr<closure> method
+        (
+            closure::New(dict.subOrEmptyDict("closure"))
+        );
         const particleMeshData data
         (
             assembleParticleMesh
@@ -335,7 +338,7 @@ TEST_P(Zone, particlesDifferentiateLinearFields)
     (
         layoutOf(GetParam().layout),
         std::string("zone ") + GetParam().zone
-      + (strip ? "closure {type consistent; latticePairs all;}" : "")
+      + (strip ? "closure {latticePairs all;}" : "")
     );
     const particleMesh all(z.mesh());
     const auto particles = zoneParticles(z.zone, all, z.sph.cellMap());
