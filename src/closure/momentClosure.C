@@ -72,14 +72,16 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
     const label n = data.points.size();
     const label nPairs = data.owner.size();
 
-    // Unit normals and areas in local coordinates
-    scalarField area(nPairs);
+    // Unit normals in local coordinates and the stiffness of each pair, its
+    // area times length squared: without the latter the least shifts for the
+    // defects of large particles would be those of small ones
+    scalarField stiffness(nPairs);
     vectorField normal(nPairs);
-    forAll(area, pairi)
+    forAll(stiffness, pairi)
     {
-        area[pairi] = mag(data.Sf[pairi]);
-        normal[pairi] =
-            space.toLocal(data.Sf[pairi])/max(area[pairi], VSMALL);
+        const scalar area = mag(data.Sf[pairi]);
+        stiffness[pairi] = area*magSqr(data.delta[pairi]);
+        normal[pairi] = space.toLocal(data.Sf[pairi])/max(area, VSMALL);
     }
 
     // Diagonal blocks, boundary faces included: these may move as well
@@ -87,21 +89,22 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
     List<tensor> boundaryBlock(n, Zero);
     forAll(data.boundary.owner, s)
     {
+        const label i = data.boundary.owner[s];
         const scalar a = mag(data.boundary.Sf[s]);
         const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
         if (!fixed[s])
         {
-            boundaryBlock[data.boundary.owner[s]] += a*(m*m);
+            boundaryBlock[i] += a*sqr(data.spacing[i])*(m*m);
         }
     }
     diagonal = boundaryBlock;
-    forAll(area, pairi)
+    forAll(stiffness, pairi)
     {
-        const tensor block(area[pairi]*(normal[pairi]*normal[pairi]));
+        const tensor block(stiffness[pairi]*(normal[pairi]*normal[pairi]));
         diagonal[data.owner[pairi]] += block;
         diagonal[data.neighbour[pairi]] += block;
     }
-    const siteLines lines(d, data, area, normal, diagonal);
+    const siteLines lines(d, data, stiffness, normal, diagonal);
     forAll(diagonal, i)
     {
         for (label c = d; c < 3; ++c)
@@ -159,7 +162,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                         {
                             stretch += m[c]*(ui[p*d + c] - uj[p*d + c]);
                         }
-                        stretch *= area[pairi];
+                        stretch *= stiffness[pairi];
                         for (label c = 0; c < d; ++c)
                         {
                             sum[p*d + c] += stretch*m[c];
@@ -204,7 +207,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                 for (label k = 0; k < d; ++k)
                 {
                     block[c*d + k] =
-                        area[pairi]*normal[pairi][c]*normal[pairi][k];
+                        stiffness[pairi]*normal[pairi][c]*normal[pairi][k];
                 }
             }
         },
@@ -250,7 +253,8 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                 shift[p] += normal[pairi][c]*(ei[p*d + c] - ej[p*d + c]);
             }
         }
-        data.skew[pairi] = space.toGlobal(shift);
+        data.skew[pairi] =
+            magSqr(data.delta[pairi])*space.toGlobal(shift);
     }
     forAll(data.boundary.owner, s)
     {
@@ -260,7 +264,8 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         }
         const vector& Sf = data.boundary.Sf[s];
         const vector m(space.toLocal(Sf)/max(mag(Sf), VSMALL));
-        const scalar* ei = &eta[data.boundary.owner[s]*width];
+        const label i = data.boundary.owner[s];
+        const scalar* ei = &eta[i*width];
         vector shift(Zero);
         for (label p = 0; p < d; ++p)
         {
@@ -269,7 +274,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                 shift[p] += m[c]*ei[p*d + c];
             }
         }
-        data.boundary.Cf[s] += space.toGlobal(shift);
+        data.boundary.Cf[s] += sqr(data.spacing[i])*space.toGlobal(shift);
     }
 
     return taken;

@@ -15,7 +15,7 @@ Foam::SPH::siteLines::siteLines
 (
     const label nDims,
     const particleMeshData& data,
-    const scalarField& area,
+    const scalarField& stiffness,
     const vectorField& normal,
     const List<tensor>& diagonal
 )
@@ -27,7 +27,7 @@ Foam::SPH::siteLines::siteLines
     for (direction c = 0; c < nDims; ++c)
     {
         labelList next(n, -1);
-        scalarField stiffness(n, Zero);
+        scalarField toNext(n, Zero);
         boolList first(n, true);
         forAll(data.owner, pairi)
         {
@@ -41,7 +41,7 @@ Foam::SPH::siteLines::siteLines
                     std::swap(from, to);
                 }
                 next[from] = to;
-                stiffness[from] = area[pairi]*sqr(along);
+                toNext[from] = stiffness[pairi]*sqr(along);
                 first[to] = false;
             }
         }
@@ -62,7 +62,7 @@ Foam::SPH::siteLines::siteLines
                 site_.append(i);
                 link_.append(link);
                 rPivot_.append(rPivot);
-                link = stiffness[i];
+                link = toNext[i];
             }
         };
 

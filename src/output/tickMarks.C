@@ -64,10 +64,10 @@ std::string Foam::SPH::tickMarks::label(const scalar value) const
     char text[32];
     if (step_ == 0 || largest >= 1e7 || step_ < 1e-5)
     {
-        // Digits from the largest value down to the step
+        // Digits from the largest value, or zero alone, down to the step
         const int digits =
             step_ > 0
-          ? int(std::ceil(std::log10(largest/step_) - 1e-6))
+          ? int(std::ceil(std::log10(max(largest, step_)/step_) - 1e-6))
           : 3;
         std::snprintf(text, sizeof(text), "%.*e", digits, value);
     }

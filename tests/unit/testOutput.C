@@ -70,6 +70,12 @@ TEST(TickMarks, ofOneValueIsThatValue)
 }
 
 
+TEST(TickMarks, labelZeroAloneInARangeOfRoundOff)
+{
+    EXPECT_EQ(tickMarks(-7e-21, 8e-21, 2).label(0), "0e+00");
+}
+
+
 TEST(TickMarks, haveNoNegativeZero)
 {
     const tickMarks ticks(-1e-12, 1, 5);
