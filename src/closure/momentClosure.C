@@ -107,13 +107,13 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
     const siteLines lines(d, data, stiffness, normal, diagonal);
     forAll(diagonal, i)
     {
+        const scalar trace = tr(diagonal[i]);
         for (label c = d; c < 3; ++c)
         {
-            diagonal[i](c, c) = 1;
+            diagonal[i](c, c) = trace;
         }
         // Keeps the block of a particle with parallel faces invertible
-        const scalar shift = 1e-6*tr(diagonal[i]);
-        diagonal[i] = inv(diagonal[i] + tensor(shift*I));
+        diagonal[i] = inv(diagonal[i] + tensor(1e-6*trace*I));
     }
 
     const tensorField moments(firstMoments(data));

@@ -363,6 +363,18 @@ TEST(Closure, variableSpacingClosesToo)
 }
 
 
+TEST(Closure, scenesOfMicrometresCloseToo)
+{
+    testCase::layout layout;
+    layout.box = boundBox(point(0, 0, 0), point(1e-6, 1e-6, 1e-7));
+    particleScene scene(layout, 5e-8, 0.3);
+
+    const auto m = scene.assemble("order 1;");
+    const vectorField g(gradient(*m, [](const point& p) { return p.y(); }));
+    EXPECT_LT(max(mag(g - vector(0, 1, 0))), 5e-12);
+}
+
+
 TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
 {
     // Binary fractions: no round-off is left over

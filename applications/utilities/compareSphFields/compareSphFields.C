@@ -72,13 +72,12 @@ void mapNewFields
 
     // Steady runs end when they have converged, each after its own iterations
     const instant last(reference.times().last());
+    const dictionary& ddt = mesh.schemesDict().subDict("ddtSchemes");
     if
     (
         times.size() > 2
-     && mesh.schemesDict().subDict("ddtSchemes").getOrDefault<word>
-        (
-            "default", "none"
-        ) == "steadyState"
+     && ddt.found("default")
+     && word(ddt.lookup("default")) == "steadyState"
      && !SPH::particleResults::equal(last, times.last())
     )
     {
