@@ -23,17 +23,29 @@ namespace Foam
 namespace SPH
 {
     const word particleFiles::folder("sphMesh");
+
+    //- Add the digest of a file, if there is one, on the master
+    static void addDigest
+    (
+        dictionary& digests,
+        const word& name,
+        const fileName& file
+    )
+    {
+        const word digest(Pstream::master() ? fileDigest(file) : word::null);
+        if (digest.size())
+        {
+            digests.set(name, digest);
+        }
+    }
 }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::word Foam::SPH::particleFiles::entriesDigest(const fileName& file)
+Foam::word Foam::SPH::particleFiles::entriesDigest(const dictionary& dict)
 {
-    IFstream is(file);
-    const dictionary dict(is);
-
     const unsigned precision = IOstream::defaultPrecision(17);
     const word digest(dict.digest().str(true));
     IOstream::defaultPrecision(precision);
@@ -139,8 +151,9 @@ void Foam::SPH::particleFiles::requireCurrent() const
         if (was.found(file) && was.get<word>(file) != is.get<word>(file))
         {
             FatalErrorInFunction
-                << "The particles in " << path
-                << " are older than " << file << " of the FVM case "
+                << "The particles in " << path << " are older than "
+                << string(file).replaceAll(":", "/").c_str()
+                << " of the FVM case "
                 << path.path() << ": run sphMesh there"
                 << exit(FatalError);
         }
@@ -168,30 +181,56 @@ Foam::dictionary Foam::SPH::particleFiles::sourceDigests
 )
 {
     dictionary digests;
-    const auto add = [&](const word& name, const fileName& file)
-    {
-        const word digest
-        (
-            Pstream::master() ? fileDigest(fvmCase/file) : word::null
-        );
-        if (digest.size())
-        {
-            digests.add(name, digest);
-        }
-    };
-
+    const fileName constant(fvmCase/"constant");
     for (const word name : {"points", "faces", "boundary"})
     {
-        add(name, fileName("constant")/"polyMesh"/name);
+        addDigest(digests, name, constant/"polyMesh"/name);
     }
 
     if (zone)
     {
-        add("cellZones", fileName("constant")/"polyMesh"/"cellZones");
+        addDigest(digests, "cellZones", constant/"polyMesh"/"cellZones");
     }
 
-    const fileName dict(fvmCase/"system"/"sphMeshDict");
-    digests.add("sphMeshDict", isFile(dict) ? entriesDigest(dict) : "none");
+    const fileName file(fvmCase/"system"/"sphMeshDict");
+    if (!isFile(file))
+    {
+        digests.add("sphMeshDict", "none");
+        return digests;
+    }
+
+    IFstream is(file);
+    const dictionary dict(is);
+    digests.add("sphMeshDict", entriesDigest(dict));
+    digests.merge(surfaceDigests(fvmCase, dict.subOrEmptyDict("bodies")));
+
+    return digests;
+}
+
+
+Foam::dictionary Foam::SPH::particleFiles::surfaceDigests
+(
+    const fileName& fvmCase,
+    const dictionary& bodies
+)
+{
+    dictionary digests;
+    for (const entry& e : bodies)
+    {
+        const fileName file
+        (
+            "triSurface"
+           /(
+                e.isDict()
+              ? e.dict().getOrDefault<fileName>("surface", fileName::null)
+              : fileName::null
+            )
+        );
+
+        // A keyword has no slash
+        const word name(string(file).replaceAll("/", ":"));
+        addDigest(digests, name, fvmCase/"constant"/file);
+    }
 
     return digests;
 }

@@ -15,8 +15,6 @@ License
 #include "StringStream.H"
 #include "Tuple2.H"
 
-#include <fstream>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -136,40 +134,6 @@ namespace SPH
         }
         sha.append(os.str());
     }
-
-    //- Contents of the surface files that the bodies name
-    static void appendSurfaces
-    (
-        const fvMesh& mesh,
-        const dictionary& bodies,
-        SHA1& sha
-    )
-    {
-        for (const entry& e : bodies)
-        {
-            const fileName name
-            (
-                e.isDict()
-              ? e.dict().lookupOrDefault<fileName>("surface", fileName::null)
-              : fileName::null
-            );
-            if (name.size())
-            {
-                std::ifstream is
-                (
-                    mesh.time().path()/mesh.time().constant()/"triSurface"/name
-                );
-                sha.append
-                (
-                    std::string
-                    (
-                        std::istreambuf_iterator<char>(is),
-                        std::istreambuf_iterator<char>()
-                    )
-                );
-            }
-        }
-    }
 }
 }
 
@@ -266,9 +230,13 @@ Foam::dictionary Foam::SPH::particleMeshProperties
 
     OStringStream os;
     os.precision(17);
-    os  << dict << generationVersion;
+    os  << dict << generationVersion
+        << particleFiles::surfaceDigests
+           (
+               mesh.time().path(),
+               dict.subOrEmptyDict("bodies")
+           );
     sha.append(os.str());
-    appendSurfaces(mesh, dict.subOrEmptyDict("bodies"), sha);
 
     // The prefix keeps a leading digit from being read back as a number
     dictionary properties;
