@@ -12,7 +12,7 @@ License
 #include "borderPatch.H"
 #include "mirroredFaces.H"
 #include "momentClosure.H"
-#include "pairLaplacian.H"
+#include "pairSystem.H"
 #include "particleMoments.H"
 #include "periodicImages.H"
 #include "torqueClosure.H"
@@ -198,16 +198,9 @@ void Foam::SPH::consistentClosure::closeAreas
     }
 
     scalarField lambda(n*d, Zero);
-    solveLaplacian
+    pairSystem(graph, w).solve
     (
-        graph,
-        d,
-        w,
-        b,
-        lambda,
-        d,
-        tolerance,
-        maxIterations_
+        b, lambda, d, true, tolerance, maxIterations_
     ).log("closing areas", tolerance);
 
     forAll(data.Sf, pairi)
@@ -304,9 +297,9 @@ void Foam::SPH::consistentClosure::closePeriodicPlanes
     scalarField chi(n*nT, Zero);
     const scalar tolerance =
         areaTolerance(space, data)*min(data.spacing);
-    solveLaplacian
+    pairSystem(graph, w).solve
     (
-        graph, space.nDims(), w, b, chi, nT, tolerance, maxIterations_
+        b, chi, nT, true, tolerance, maxIterations_
     ).log("closing periodic planes", tolerance);
 
     // What is missing of V I in the sum of all first moments
@@ -369,7 +362,10 @@ void Foam::SPH::consistentClosure::close
 {
     data.boundary = mirroredFaces(mesh, space, W, data);
 
-    const pairGraph graph(data.points.size(), data.owner, data.neighbour);
+    const pairGraph graph
+    (
+        mesh.time(), data.points.size(), data.owner, data.neighbour
+    );
     const boolList fixed(fixedFaces(mesh, data.boundary));
     if (fixed.found(true))
     {

@@ -8,9 +8,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "momentClosure.H"
-#include "pairMultigrid.H"
+#include "pairSystem.H"
 #include "particleMoments.H"
-#include "siteLines.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -19,7 +18,7 @@ namespace Foam
 namespace SPH
 {
     //- Move face centres least for the first moments
-    static pairGraph::performance moveFaceCentres
+    static pairSystem::performance moveFaceCentres
     (
         const solutionSpace& space,
         const pairGraph& graph,
@@ -57,7 +56,7 @@ namespace SPH
 }
 
 
-Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
+Foam::SPH::pairSystem::performance Foam::SPH::moveFaceCentres
 (
     const solutionSpace& space,
     const pairGraph& graph,
@@ -72,21 +71,27 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
     const label n = data.points.size();
     const label nPairs = data.owner.size();
 
-    // Unit normals in local coordinates and the stiffness of each pair, its
-    // area times length squared: without the latter the least shifts for the
+    // Springs along unit normals in local coordinates. Their stiffness is area
+    // times spacing squared: without the latter the least shifts for the
     // defects of large particles would be those of small ones
-    scalarField stiffness(nPairs);
     vectorField normal(nPairs);
-    forAll(stiffness, pairi)
+    vectorField k(nPairs);
+    scalarField spacing(nPairs);
+    forAll(k, pairi)
     {
         const scalar area = mag(data.Sf[pairi]);
-        stiffness[pairi] = area*magSqr(data.delta[pairi]);
         normal[pairi] = space.toLocal(data.Sf[pairi])/max(area, VSMALL);
+        spacing[pairi] =
+            0.5
+           *(
+                data.spacing[data.owner[pairi]]
+              + data.spacing[data.neighbour[pairi]]
+            );
+        k[pairi] = sqrt(area)*spacing[pairi]*normal[pairi];
     }
 
-    // Diagonal blocks, boundary faces included: these may move as well
-    List<tensor> diagonal(n, Zero);
-    List<tensor> boundaryBlock(n, Zero);
+    // Boundary faces may move as well
+    tensorField anchors(n, Zero);
     forAll(data.boundary.owner, s)
     {
         const label i = data.boundary.owner[s];
@@ -94,26 +99,14 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         const vector m(space.toLocal(data.boundary.Sf[s])/max(a, VSMALL));
         if (!fixed[s])
         {
-            boundaryBlock[i] += a*sqr(data.spacing[i])*(m*m);
+            anchors[i] += a*sqr(data.spacing[i])*(m*m);
         }
     }
-    diagonal = boundaryBlock;
-    forAll(stiffness, pairi)
+
+    vectorField x(n);
+    forAll(x, i)
     {
-        const tensor block(stiffness[pairi]*(normal[pairi]*normal[pairi]));
-        diagonal[data.owner[pairi]] += block;
-        diagonal[data.neighbour[pairi]] += block;
-    }
-    const siteLines lines(d, data, stiffness, normal, diagonal);
-    forAll(diagonal, i)
-    {
-        const scalar trace = tr(diagonal[i]);
-        for (label c = d; c < 3; ++c)
-        {
-            diagonal[i](c, c) = trace;
-        }
-        // Keeps the block of a particle with parallel faces invertible
-        diagonal[i] = inv(diagonal[i] + tensor(1e-6*trace*I));
+        x[i] = space.toLocal(data.points[i]);
     }
 
     const tensorField moments(firstMoments(data));
@@ -131,114 +124,12 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
         }
     }
 
-    const auto A = [&](const scalarField& u, scalarField& v)
-    {
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            scalar sum[9] = {};
-            const scalar* ui = &u[i*width];
-            for (label p = 0; p < d; ++p)
-            {
-                for (label c = 0; c < d; ++c)
-                {
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum[p*d + c] += boundaryBlock[i](c, k)*ui[p*d + k];
-                    }
-                }
-            }
-            graph.forLinks
-            (
-                i,
-                [&](const label j, const label pairi)
-                {
-                    const scalar* uj = &u[j*width];
-                    const vector& m = normal[pairi];
-                    for (label p = 0; p < d; ++p)
-                    {
-                        scalar stretch = 0;
-                        for (label c = 0; c < d; ++c)
-                        {
-                            stretch += m[c]*(ui[p*d + c] - uj[p*d + c]);
-                        }
-                        stretch *= stiffness[pairi];
-                        for (label c = 0; c < d; ++c)
-                        {
-                            sum[p*d + c] += stretch*m[c];
-                        }
-                    }
-                }
-            );
-            std::copy(sum, sum + width, &v[i*width]);
-        }
-    };
-
-    const auto smooth = [&](const scalarField& r, scalarField& z)
-    {
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            for (label p = 0; p < d; ++p)
-            {
-                for (label c = 0; c < d; ++c)
-                {
-                    scalar sum = 0;
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum += diagonal[i](c, k)*r[i*width + p*d + k];
-                    }
-                    z[i*width + p*d + c] = sum;
-                }
-            }
-        }
-        lines.solve(r, z);
-    };
-
-    const pairMultigrid multigrid
-    (
-        graph,
-        d,
-        d,
-        [&](const label pairi, scalar* block)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                for (label k = 0; k < d; ++k)
-                {
-                    block[c*d + k] =
-                        stiffness[pairi]*normal[pairi][c]*normal[pairi][k];
-                }
-            }
-        },
-        [&](const label i, scalar* block)
-        {
-            for (label c = 0; c < d; ++c)
-            {
-                for (label k = 0; k < d; ++k)
-                {
-                    block[c*d + k] = boundaryBlock[i](c, k);
-                }
-            }
-        }
-    );
-
     scalarField eta(n*width, Zero);
-    const pairGraph::performance taken = graph.solve
-    (
-        A,
-        [&](const scalarField& r, scalarField& z)
-        {
-            multigrid.precondition(A, smooth, r, z, d);
-        },
-        b,
-        eta,
-        d,
-        d,
-        !fixed.found(false),
-        tolerance,
-        maxIterations
-    );
+    const pairSystem::performance taken =
+        pairSystem(graph, d, k, anchors, x).solve
+        (
+            b, eta, d, !fixed.found(false), tolerance, maxIterations
+        );
 
     data.skew.setSize(nPairs);
     forAll(data.skew, pairi)
@@ -253,8 +144,7 @@ Foam::SPH::pairGraph::performance Foam::SPH::moveFaceCentres
                 shift[p] += normal[pairi][c]*(ei[p*d + c] - ej[p*d + c]);
             }
         }
-        data.skew[pairi] =
-            magSqr(data.delta[pairi])*space.toGlobal(shift);
+        data.skew[pairi] = sqr(spacing[pairi])*space.toGlobal(shift);
     }
     forAll(data.boundary.owner, s)
     {
@@ -298,7 +188,7 @@ void Foam::SPH::closeMoments
     constexpr scalar mostShift = 0.6;
 
     const pointField Cf(data.boundary.Cf);
-    pairGraph::performance taken = moveFaceCentres
+    pairSystem::performance taken = moveFaceCentres
     (
         space, graph, fixed, tolerance, maxIterations, data
     );
@@ -309,7 +199,7 @@ void Foam::SPH::closeMoments
     {
         const vectorField fixedSkew(data.skew);
         const pointField fixedCf(data.boundary.Cf);
-        const pairGraph::performance fixedTaken(taken);
+        const pairSystem::performance fixedTaken(taken);
 
         data.skew.clear();
         data.boundary.Cf = Cf;

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "torqueClosure.H"
-#include "pairLaplacian.H"
+#include "pairSystem.H"
 #include "particleMoments.H"
 #include "scalarMatrices.H"
 
@@ -105,9 +105,9 @@ namespace SPH
         }
 
         scalarField chi(b.size(), Zero);
-        solveLaplacian
+        pairSystem(graph, w).solve
         (
-            graph, d, w, b, chi, d, tolerance, maxIterations
+            b, chi, d, true, tolerance, maxIterations
         ).log("closing torques", tolerance);
 
         forAll(areas, pairi)
