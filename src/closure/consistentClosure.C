@@ -45,6 +45,11 @@ namespace SPH
     //- Reduction of the residual between renormalisations, which spoil it
     static const scalar sweepTolerance = 1e-3;
 
+    //- Sweeps go on while a defect of a first moment over the volume is larger:
+    //- particles at a sharp edge need more of them than others
+    static const scalar largeDefect = 0.2;
+    static const label mostSweeps = 12;
+
     //- Are boundary faces on the border, where the first moments of their parts
     //- are those of FVM
     static boolList fixedFaces
@@ -373,7 +378,14 @@ void Foam::SPH::consistentClosure::close
     }
 
     const scalar tolerance = areaTolerance(space, data);
-    for (label sweep = 0; sweep < nSweeps_; ++sweep)
+    const auto further = [&](const label sweep)
+    {
+        return
+            nSweeps_ > 0
+         && sweep < mostSweeps
+         && largestDefect(space, data) > largeDefect;
+    };
+    for (label sweep = 0; sweep < nSweeps_ || further(sweep); ++sweep)
     {
         const scalar largest = max(mag(areaSums(data)()));
         closeAreas

@@ -14,6 +14,7 @@ License
 #include "cellGrid.H"
 #include "kernelShapes.H"
 #include "emptyPolyPatch.H"
+#include "mathematicalConstants.H"
 
 #include <algorithm>
 
@@ -121,6 +122,27 @@ namespace SPH
         return !pp.coupled() && !isA<emptyPolyPatch>(pp);
     }
 
+    //- Distance from an element, a disc of its area, whose centre lies at r
+    //- and at a height along its normal
+    static scalar discDistance
+    (
+        const solutionSpace& space,
+        const scalar area,
+        const vector& r,
+        const scalar height
+    )
+    {
+        const scalar a = area/space.thickness();
+        const scalar radius =
+            space.nDims() == 1 ? 0
+          : space.nDims() == 2 ? 0.5*a
+          : sqrt(a/constant::mathematical::pi);
+        const scalar aside =
+            sqrt(max(magSqr(r) - sqr(height), scalar(0))) - radius;
+
+        return aside > 0 ? hypot(aside, height) : mag(height);
+    }
+
     //- The particles that share each element
     static std::vector<shareList> elementShares
     (
@@ -140,6 +162,10 @@ namespace SPH
         std::vector<shareList> shares(elements.size());
         const cellGrid grid(centres, W.support(min(data.spacing)));
         DynamicList<label> near;
+        const auto heightAt = [&](const vector& r, const label e)
+        {
+            return (space.toGlobal(r) & elements[e].Sf)/mag(elements[e].Sf);
+        };
 
         forAll(points, i)
         {
@@ -153,7 +179,15 @@ namespace SPH
                 radius,
                 [&](const label e)
                 {
-                    nearest = min(nearest, mag(centres[e] - points[i]));
+                    const vector r(centres[e] - points[i]);
+                    nearest = min
+                    (
+                        nearest,
+                        discDistance
+                        (
+                            space, mag(elements[e].Sf), r, heightAt(r, e)
+                        )
+                    );
                     near.append(e);
                 }
             );
@@ -161,9 +195,8 @@ namespace SPH
             for (const label e : near)
             {
                 const vector r(centres[e] - points[i]);
-                const scalar height =
-                    (space.toGlobal(r) & elements[e].Sf)/mag(elements[e].Sf);
-                const scalar front = facing(height, nearest);
+                const scalar height = heightAt(r, e);
+                const scalar front = facing(height, max(nearest, VSMALL));
 
                 if (front > 0 && magSqr(r) < radius*radius)
                 {

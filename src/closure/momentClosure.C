@@ -41,17 +41,6 @@ namespace SPH
         }
         return largest;
     }
-
-    //- Largest defect of a first moment over the volume
-    static scalar largestDefect
-    (
-        const solutionSpace& space,
-        const particleMeshData& data
-    )
-    {
-        const tensorField moments(firstMoments(data));
-        return max(mag(moments/data.V - space.identity())());
-    }
 }
 }
 

@@ -61,4 +61,15 @@ Foam::tmp<Foam::tensorField> Foam::SPH::firstMoments
 }
 
 
+Foam::scalar Foam::SPH::largestDefect
+(
+    const solutionSpace& space,
+    const particleMeshData& data
+)
+{
+    const tensorField moments(firstMoments(data));
+    return max(mag(moments/data.V - space.identity())());
+}
+
+
 // ************************************************************************* //

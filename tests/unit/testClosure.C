@@ -12,6 +12,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "particleScene.H"
+#include "momentClosure.H"
 #include "pairGraph.H"
 #include "particleMoments.H"
 #include "particlePairs.H"
@@ -113,6 +114,114 @@ bool sameBytes(const vectorField& a, const vectorField& b)
                 return std::memcmp(&u, &v, sizeof(vector)) == 0;
             }
         );
+}
+
+
+//- Rings of bricks around a hole, radii 1 to 1000. Beyond r = 100 their
+//- particles are off their centres by up to jitter/2 spacings
+particleMeshData bricks(const scalar jitter)
+{
+    constexpr label nAround = 24;
+    constexpr label nRings = 26;
+    const scalar half = constant::mathematical::pi/nAround;
+    const scalar growth = Foam::pow(1000, 1.0/nRings);
+
+    //- Vertex h half bricks around, inside ring k
+    const auto vertex = [&](const label k, const label h)
+    {
+        return Foam::pow(growth, k)
+           *vector(Foam::cos(h*half), Foam::sin(h*half), 0);
+    };
+    //- Area vector of the side from a to b of a brick that lies to its left
+    const auto area = [](const point& a, const point& b)
+    {
+        return vector(b.y() - a.y(), a.x() - b.x(), 0);
+    };
+
+    Random random(3);
+    particleMeshData data;
+    DynamicList<point> points;
+    DynamicList<scalar> spacing;
+    DynamicList<label> owner, neighbour, wallOwner;
+    DynamicList<vector> Sf, wallSf;
+    DynamicList<point> wallCf;
+    for (label k = 0; k < nRings; ++k)
+    {
+        for (label l = 0; l < nAround; ++l)
+        {
+            const label i = k*nAround + l;
+            const label first = 2*l + k % 2;
+
+            point centre(Zero);
+            for (label h = first; h < first + 3; ++h)
+            {
+                centre += (vertex(k, h) + vertex(k + 1, h))/6;
+            }
+            spacing.append(2*half*mag(centre));
+            if (mag(centre) > 100)
+            {
+                centre += jitter*spacing.last()*vector
+                (
+                    random.sample01<scalar>() - 0.5,
+                    random.sample01<scalar>() - 0.5,
+                    0
+                );
+            }
+            points.append(centre);
+
+            const label next = k*nAround + (l + 1) % nAround;
+            owner.append(min(i, next));
+            neighbour.append(max(i, next));
+            Sf.append
+            (
+                (next > i ? 1 : -1)
+               *area(vertex(k + 1, first + 2), vertex(k, first + 2))
+            );
+
+            for (label h = first; h < first + 2; ++h)
+            {
+                const point a(vertex(k + 1, h));
+                const point b(vertex(k + 1, h + 1));
+                if (k == 0)
+                {
+                    wallOwner.append(i);
+                    wallSf.append(area(vertex(k, h + 1), vertex(k, h)));
+                    wallCf.append(0.5*(vertex(k, h) + vertex(k, h + 1)));
+                }
+                if (k == nRings - 1)
+                {
+                    wallOwner.append(i);
+                    wallSf.append(area(a, b));
+                    wallCf.append(0.5*(a + b));
+                }
+                else
+                {
+                    const label beyond = (h + 2*nAround - (k + 1) % 2)/2;
+                    owner.append(i);
+                    neighbour.append((k + 1)*nAround + beyond % nAround);
+                    Sf.append(area(a, b));
+                }
+            }
+        }
+    }
+
+    data.points.transfer(points);
+    data.spacing.transfer(spacing);
+    data.owner.transfer(owner);
+    data.neighbour.transfer(neighbour);
+    data.Sf.transfer(Sf);
+    data.delta.setSize(data.owner.size());
+    forAll(data.delta, pairi)
+    {
+        data.delta[pairi] =
+            data.points[data.neighbour[pairi]] - data.points[data.owner[pairi]];
+    }
+    data.boundary.owner.transfer(wallOwner);
+    data.boundary.Sf.transfer(wallSf);
+    data.boundary.Cf.transfer(wallCf);
+    data.V = 0.5*tr(firstMoments(data));
+
+    return data;
 }
 
 
@@ -328,6 +437,30 @@ TEST(Closure, particlesBeyondAConvexEdgeHaveNoPartOfItsFaces)
 }
 
 
+TEST(Closure, aParticleCloseInFrontOfAWallHasAPartOfIt)
+{
+    // Half-way between the centres of two elements of the wall, which are a
+    // quarter of a spacing long, and nearer to it than to these
+    const scalar dp = 0.05;
+    testCase::layout layout;
+    particleScene scene(layout, dp, 0);
+    pointField& points = scene.particles().points;
+    const point wanted(0.525, 0.1*dp, 0.05);
+    points[findMin(scalarField(mag(points - wanted)))] = wanted;
+
+    const auto m = scene.assemble("order 0;");
+    const label moved =
+        findMin(scalarField(mag(m->written().points - wanted)));
+    for (const particlePatch& patch : m->boundary())
+    {
+        if (patch.patch().name() == "bottom")
+        {
+            EXPECT_TRUE(patch.owner().found(moved));
+        }
+    }
+}
+
+
 TEST(Closure, volumesFollowTheDensityOfTheParticles)
 {
     const auto scene = particleScene::New("periodic", 0);
@@ -390,6 +523,63 @@ TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
     const auto m = scene.assemble("order 1;");
     EXPECT_LT(max(mag(m->Sf() - raw->Sf()))/faceArea(*raw), 1e-13);
     EXPECT_LT(max(mag(m->V()/raw->V() - 1)), 1e-13);
+}
+
+
+// * * * * * * * * * * * * * * *  closeMoments * * * * * * * * * * * * * * * //
+
+TEST(MomentClosure, defectsOfCoarseParticlesDoNotMoveFacesOfFineOnes)
+{
+    const solutionSpace space(2, {0, 1, 2}, 1, vector::zero);
+
+    //- Face shifts over the spacing, and face centres of the boundary
+    const auto closed = [&](const scalar jitter)
+    {
+        particleMeshData data(bricks(jitter));
+        EXPECT_LT(max(mag(areaSums(data)())), 1e-11);
+        const pairGraph graph(data.points.size(), data.owner, data.neighbour);
+        closeMoments
+        (
+            space,
+            graph,
+            boolList(data.boundary.owner.size(), false),
+            1e-12,
+            5000,
+            data
+        );
+        EXPECT_LT(largestDefect(space, data), 1e-8);
+        return data;
+    };
+    const particleMeshData regular(closed(0));
+    const particleMeshData irregular(closed(0.2));
+
+    scalar coarse = 0;
+    scalar fine = 0;
+    forAll(regular.skew, pairi)
+    {
+        const label i = regular.owner[pairi];
+        const scalar moved =
+            mag(irregular.skew[pairi] - regular.skew[pairi])
+           /regular.spacing[i];
+        const scalar r = mag(regular.points[i]);
+        coarse = max(coarse, r > 200 ? moved : 0);
+        fine = max(fine, r < 10 ? moved : 0);
+    }
+    forAll(regular.boundary.Cf, s)
+    {
+        const label i = regular.boundary.owner[s];
+        if (mag(regular.points[i]) < 10)
+        {
+            fine = max
+            (
+                fine,
+                mag(irregular.boundary.Cf[s] - regular.boundary.Cf[s])
+               /regular.spacing[i]
+            );
+        }
+    }
+    EXPECT_GT(coarse, 0.02);
+    EXPECT_LT(fine, 0.1*coarse);
 }
 
 
