@@ -531,13 +531,17 @@ TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
 TEST(MomentClosure, defectsOfCoarseParticlesDoNotMoveFacesOfFineOnes)
 {
     const solutionSpace space(2, {0, 1, 2}, 1, vector::zero);
+    testCase box{testCase::layout()};
 
     //- Face shifts over the spacing, and face centres of the boundary
     const auto closed = [&](const scalar jitter)
     {
         particleMeshData data(bricks(jitter));
         EXPECT_LT(max(mag(areaSums(data)())), 1e-11);
-        const pairGraph graph(data.points.size(), data.owner, data.neighbour);
+        const pairGraph graph
+        (
+            box.mesh().time(), data.points.size(), data.owner, data.neighbour
+        );
         closeMoments
         (
             space,
