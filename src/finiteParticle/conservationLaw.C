@@ -58,6 +58,7 @@ void Foam::SPH::conservationLaw::setGeometry()
 
             residual[i] += atOwner ? A : -A;
             diffusionWeight_[0][i] += weight;
+            areaByVolume_[0][i] += mag(A)/V_[0][i];
         }
     }
 
@@ -67,6 +68,7 @@ void Foam::SPH::conservationLaw::setGeometry()
         for (const label facei : faces_.faces(k))
         {
             residual[i] += faces_.magSf()[facei]*faces_.n()[facei];
+            areaByVolume_[0][i] += faces_.magSf()[facei]/V_[0][i];
             diffusionWeight_[0][i] +=
                 2*faces_.magSf()[facei]/mag(faces_.distance()[facei]);
         }
@@ -114,6 +116,7 @@ Foam::SPH::conservationLaw::conservationLaw
     halo_(particles_),
     V_(1, pairs_.nSlices()),
     rSpacing_(1, pairs_.nSlices()),
+    areaByVolume_(1, pairs_.nSlices()),
     diffusionWeight_(1, pairs_.nSlices()),
     residualArea_(loopDims(particles_), pairs_.nSlices()),
     closed_(false),
