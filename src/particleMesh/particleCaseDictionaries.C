@@ -174,19 +174,19 @@ std::string Foam::SPH::particleCase::controlAdditions() const
 
 std::string Foam::SPH::particleCase::schemeAdditions() const
 {
-    // Linear convection, by name or by default
-    dictionary divSchemes
-    (
-        mesh_.schemesDict().subOrEmptyDict("divSchemes")
-    );
-    const word flux("div(phi,U)");
-    if (!divSchemes.found(flux, keyType::LITERAL) && divSchemes.found("default"))
+    //- Schemes of the FVM case in a group, the one of a name by default
+    const auto schemesOf = [&](const word& group, const word& name)
     {
-        divSchemes.add(flux, divSchemes.lookup("default"));
-    }
+        dictionary schemes(mesh_.schemesDict().subOrEmptyDict(group));
+        if (!schemes.found(name, keyType::LITERAL) && schemes.found("default"))
+        {
+            schemes.add(name, schemes.lookup("default"));
+        }
+        return schemes;
+    };
 
-    std::string lines;
-    for (const entry& e : divSchemes)
+    std::string convection;
+    for (const entry& e : schemesOf("divSchemes", "div(phi,U)"))
     {
         if
         (
@@ -195,15 +195,30 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
          && isScheme(e.stream(), "Gauss", "linear")
         )
         {
-            lines += "    " + e.keyword() + " Gauss reconstructed;\n";
+            convection += "    " + e.keyword() + " Gauss reconstructed;\n";
         }
     }
 
-    return
-        lines.empty()
-      ? lines
-      : "// Linear, but exact at the faces' centres\n"
-        "divSchemes\n{\n" + lines + "}\n";
+    std::string additions;
+    if (!convection.empty())
+    {
+        additions +=
+            "// Linear, but exact at the faces' centres\n"
+            "divSchemes\n{\n" + convection + "}\n";
+    }
+
+    const word pressure("grad(p)");
+    const dictionary gradients(schemesOf("gradSchemes", pressure));
+    const entry* e = gradients.findEntry(pressure, keyType::LITERAL);
+    if (e && isScheme(e->stream(), "Gauss", "linear"))
+    {
+        additions +=
+            "gradSchemes\n{\n"
+            "    grad(p) Gauss reconstructed exact(p);\n"
+            "    exact(p) leastSquares;\n}\n";
+    }
+
+    return additions;
 }
 
 

@@ -288,24 +288,25 @@ TEST_F(ParticleDictionaries, functionObjectsThatTrackAreLeftOut)
 }
 
 
-TEST_F(ParticleDictionaries, linearConvectionIsReconstructed)
+TEST_F(ParticleDictionaries, linearConvectionAndPressureAreReconstructed)
 {
-    const auto scheme = [&](const std::string& divSchemes, const word& name)
+    std::string gradSchemes("default none;");
+    const auto written = [&](const std::string& divSchemes)
     {
         fvm.write
         (
             "system/fvSchemes",
-            "ddtSchemes { default Euler; } gradSchemes { default none; }"
+            "ddtSchemes { default Euler; } gradSchemes { " + gradSchemes + "}"
             "divSchemes { " + divSchemes + "}"
             "laplacianSchemes { default none; }"
             "interpolationSchemes { default linear; }"
             "snGradSchemes { default corrected; }"
         );
         fvm.reopen();
-        const dictionary schemes
-        (
-            written("system/fvSchemes").subDict("divSchemes")
-        );
+        return this->written("system/fvSchemes");
+    };
+    const auto textOf = [](const dictionary& schemes, const word& name)
+    {
         ITstream& is = schemes.lookup(name);
         std::string text;
         for (const token& t : is)
@@ -313,6 +314,10 @@ TEST_F(ParticleDictionaries, linearConvectionIsReconstructed)
             text += (text.empty() ? "" : " ") + t.wordToken();
         }
         return text;
+    };
+    const auto scheme = [&](const std::string& divSchemes, const word& name)
+    {
+        return textOf(written(divSchemes).subDict("divSchemes"), name);
     };
 
     const std::string each
@@ -337,6 +342,21 @@ TEST_F(ParticleDictionaries, linearConvectionIsReconstructed)
             "div(phi,U)"),
         "Gauss limitedLinear"
     );
+
+    const auto pressure = [&](const char* schemes)
+    {
+        gradSchemes = schemes;
+        const dictionary grad(written(each).subDict("gradSchemes"));
+        return textOf(grad, grad.found("grad(p)") ? "grad(p)" : "default");
+    };
+    EXPECT_EQ(pressure("default Gauss linear;"), "Gauss reconstructed exact(p)");
+    EXPECT_EQ
+    (
+        pressure("default none; grad(p) Gauss linear;"),
+        "Gauss reconstructed exact(p)"
+    );
+    EXPECT_EQ(pressure("default none;"), "none");
+    EXPECT_EQ(pressure("default leastSquares;"), "leastSquares");
 }
 
 
