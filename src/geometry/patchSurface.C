@@ -8,14 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "patchSurface.H"
+#include "periodicPatches.H"
 #include "Time.H"
-#include "cyclicPolyPatch.H"
-#include "cyclicAMIPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "HashSet.H"
 #include "SubField.H"
-#include "StringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -47,25 +45,7 @@ void checkPatchTypes(const polyMesh& mesh)
                 << exit(FatalError);
         }
 
-        // Arbitrary couplings are not coupled in this sense; overset patches
-        // are generic without their library
-        OStringStream os;
-        pp.write(os);
-        const dictionary dict(IStringStream(os.str())());
-        const word type(dict.get<word>("type"));
-
-        if
-        (
-            (pp.coupled() && !isA<cyclicPolyPatch>(pp))
-         || isA<cyclicAMIPolyPatch>(pp)
-         || type == "overset"
-        )
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " in " << meshPath(mesh)
-                << " has type " << type << ", which is not supported."
-                << " Valid coupled patch types: cyclic" << exit(FatalError);
-        }
+        checkCoupling(pp);
     }
 }
 
@@ -128,75 +108,20 @@ void checkBaffles(const polyMesh& mesh)
 }
 
 
-//- Area-weighted centre and area vector of a patch
-void centreAndArea(const polyPatch& pp, point& centre, vector& area)
+//- Of the pairs of cyclic patches. Several may repeat the region in the same
+//- direction
+List<vector> periodsOf(const polyMesh& mesh, const solutionSpace& space)
 {
-    const vectorField::subField Cf(pp.faceCentres());
-    const vectorField::subField Sf(pp.faceAreas());
-
-    scalar sumMagSf = 0;
-    centre = Zero;
-    area = Zero;
-    forAll(pp, facei)
-    {
-        sumMagSf += mag(Sf[facei]);
-        centre += mag(Sf[facei])*Cf[facei];
-        area += Sf[facei];
-    }
-    centre /= max(sumMagSf, VSMALL);
-}
-
-
-//- Translation from each pair of coupled patches to its partner
-List<vector> translations(const polyMesh& mesh, const solutionSpace& space)
-{
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-
     DynamicList<vector> periods;
-
-    for (const polyPatch& pp : patches)
+    for (const vector& T : periodicTranslations(mesh))
     {
-        const label nbri =
-            isA<cyclicPolyPatch>(pp)
-          ? refCast<const cyclicPolyPatch>(pp).neighbPatchID()
-          : -1;
+        const vector period(space.toGlobal(space.toLocal(T)));
 
-        if (nbri <= pp.index() || returnReduce(pp.size(), sumOp<label>()) == 0)
-        {
-            continue;
-        }
-
-        point centre, nbrCentre;
-        vector area, nbrArea;
-        centreAndArea(pp, centre, area);
-        centreAndArea(patches[nbri], nbrCentre, nbrArea);
-
-        // A cyclic patch may be several facing planes, whose areas cancel
-        const bool rotated =
-            mag(area + nbrArea) > 1e-6*(mag(area) + mag(nbrArea) + VSMALL)
-         || !refCast<const cyclicPolyPatch>(pp).parallel();
-
-        if (rotated)
-        {
-            FatalErrorInFunction
-                << "The coupled patches " << pp.name() << " and "
-                << patches[nbri].name() << " in " << meshPath(mesh)
-                << " are rotated against each other. Valid cyclic"
-                << " transforms: translational" << exit(FatalError);
-        }
-
-        const vector period
-        (
-            space.toGlobal(space.toLocal(nbrCentre - centre))
-        );
-
-        // Several pairs may repeat the region in the same direction
         bool known = false;
         for (const vector& other : periods)
         {
             known = known || mag(period ^ other) < 1e-6*magSqr(period);
         }
-
         if (!known)
         {
             periods.append(period);
@@ -240,7 +165,7 @@ Foam::SPH::orientedSurface Foam::SPH::patchSurface::allElements
         space,
         pointField(surface.points()),
         std::move(elements),
-        translations(mesh, space)
+        periodsOf(mesh, space)
     );
 }
 

@@ -14,7 +14,7 @@ Description
 #include "cellSpacing.H"
 #include "cutPairs.H"
 #include "particleFiles.H"
-#include "cyclicAMIPolyPatch.H"
+#include "periodicPatches.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -229,6 +229,10 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
     DynamicList<label> local(faces.capacity());
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
+        if (!(Pstream::parRun() && isA<processorPolyPatch>(pp)))
+        {
+            checkCoupling(pp);
+        }
         if (const auto* cyclic = isA<cyclicPolyPatch>(pp))
         {
             const cyclicPolyPatch& other = cyclic->neighbPatch();
@@ -247,18 +251,6 @@ Foam::SPH::particleMeshData Foam::SPH::particleMesh::arrays
                     Cf[other.start() + k] - C[j]
                 );
             }
-        }
-        else if
-        (
-            (pp.coupled() || isA<cyclicAMIPolyPatch>(pp))
-         && !(Pstream::parRun() && isA<processorPolyPatch>(pp))
-        )
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " of "
-                << mesh.boundaryMesh().objectPath()
-                << " has type " << pp.type() << ", which is not supported."
-                << " Valid coupled patch types: cyclic" << exit(FatalError);
         }
         else if (!pp.coupled() && !isA<emptyPolyPatch>(pp))
         {

@@ -145,7 +145,7 @@ TEST(RefusedMesh, cyclicByRotation)
 
     expectMessage
     (
-        {"patches left and right", "rotated", "translational"},
+        {"patches left and right", "not a translation", "translational"},
         [&]{ patchSurface(c.mesh(), solutionSpace(c.mesh())); }
     );
     expectMessage
