@@ -59,8 +59,8 @@ namespace SPH
     {
         constexpr scalar none = 0.75;
         constexpr scalar all = 0.9;
-        return
-            min(max((height/nearest - none)/(all - none), scalar(0)), scalar(1));
+        const scalar part = (height/nearest - none)/(all - none);
+        return min(max(part, scalar(0)), scalar(1));
     }
 
     //- Does a particle belong to the first layer, 0 to 1, by its height above

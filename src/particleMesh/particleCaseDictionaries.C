@@ -178,7 +178,11 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
     const auto schemesOf = [&](const word& group, const word& name)
     {
         dictionary schemes(mesh_.schemesDict().subOrEmptyDict(group));
-        if (!schemes.found(name, keyType::LITERAL) && schemes.found("default"))
+        if
+        (
+            !schemes.found(name, keyType::LITERAL)
+         && schemes.found("default")
+        )
         {
             schemes.add(name, schemes.lookup("default"));
         }

@@ -105,7 +105,8 @@ Foam::tmp<Foam::scalarField> Foam::SPH::fluidDensity
             {
                 if (seen[particles.role[j]])
                 {
-                    sum += particles.V[j]*W.W(mag(p - particles.position(j)), h);
+                    const scalar r = mag(p - particles.position(j));
+                    sum += particles.V[j]*W.W(r, h);
                 }
             }
         );

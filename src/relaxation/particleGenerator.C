@@ -289,7 +289,8 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
     os  << "Particles, about: " << label(round(n)) << nl
         << "Least spacing: " << dp << " m" << nl
         << "Cells of the background grid: " << nCells << nl
-        << "Memory, about: " << label(n*particleBytes()/1048576) + 1 << " MiB" << nl
+        << "Memory, about: " << label(n*particleBytes()/1048576) + 1 << " MiB"
+        << nl
         << "Time on one core, about: " << label(seconds) + 1 << " s" << nl
         << endl;
 }

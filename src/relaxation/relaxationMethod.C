@@ -40,7 +40,10 @@ Foam::SPH::relaxationMethod::relaxationMethod
             dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 4e-3 : 2e-3
         )
     ),
-    disturbance_(dict.getOrDefault<scalar>("disturbance", max(0.02, tolerance_))),
+    disturbance_
+    (
+        dict.getOrDefault<scalar>("disturbance", max(0.02, tolerance_))
+    ),
     momentum_(dict.getOrDefault<scalar>("momentum", defaultMomentum)),
     maxIterations_(dict.getOrDefault<label>("maxIterations", 2000)),
     logInterval_(dict.getOrDefault<label>("logInterval", 100)),

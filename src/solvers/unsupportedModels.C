@@ -90,7 +90,8 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
     );
     refuseActive
     (
-        readDictIfPresent(runTime, "porosityProperties", constant), "porous zones"
+        readDictIfPresent(runTime, "porosityProperties", constant),
+        "porous zones"
     );
 
     const IOdictionary motion
