@@ -853,7 +853,10 @@ TEST(ConservationLaw, DampsNoiseInAGasAtRest)
         {
             for (const word scheme : {"SSPRK2", "SSPRK3", "automatic"})
             {
-                SCOPED_TRACE(flux + ' ' + scheme + ' ' + Foam::name(nVariables));
+                SCOPED_TRACE
+                (
+                    flux + ' ' + scheme + ' ' + Foam::name(nVariables)
+                );
                 dictionary schemes;
                 schemes.add("timeScheme", scheme);
                 autoPtr<timeScheme> time(timeScheme::New(schemes));
