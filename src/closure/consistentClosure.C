@@ -45,10 +45,34 @@ namespace SPH
     //- Reduction of the residual between renormalisations, which spoil it
     static const scalar sweepTolerance = 1e-3;
 
-    //- Sweeps go on while a defect of a first moment over the volume is larger:
-    //- particles at a sharp edge need more of them than others
-    static const scalar largeDefect = 0.2;
+    //- Sweeps go on while a first moment is distorted more than this: particles
+    //- at a sharp edge need more of them than others
+    static const scalar largeDistortion = 0.2;
     static const label mostSweeps = 12;
+
+    //- Largest deviation of a first moment from its isotropic part, which
+    //- becomes the volume, over that
+    static scalar largestDistortion
+    (
+        const solutionSpace& space,
+        const particleMeshData& data
+    )
+    {
+        const tensorField moments(firstMoments(data));
+        const scalarField volumes(tr(moments)/space.nDims());
+
+        scalar largest = 0;
+        forAll(volumes, i)
+        {
+            largest = max
+            (
+                largest,
+                mag(moments[i] - volumes[i]*space.identity())
+               /max(volumes[i], SMALL*data.V[i])
+            );
+        }
+        return largest;
+    }
 
     //- Are boundary faces on the border, where the first moments of their parts
     //- are those of FVM
@@ -383,7 +407,7 @@ void Foam::SPH::consistentClosure::close
         return
             nSweeps_ > 0
          && sweep < mostSweeps
-         && largestDefect(space, data) > largeDefect;
+         && largestDistortion(space, data) > largeDistortion;
     };
     for (label sweep = 0; sweep < nSweeps_ || further(sweep); ++sweep)
     {
