@@ -9,6 +9,7 @@ License
 
 #include "conservationLaw.H"
 #include "compat.H"
+#include "Switch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -106,6 +107,7 @@ void Foam::SPH::conservationLaw::setGeometry()
 
 Foam::SPH::conservationLaw::conservationLaw
 (
+    const dictionary& schemes,
     faceStates& faces,
     const label nVariables
 )
@@ -126,9 +128,21 @@ Foam::SPH::conservationLaw::conservationLaw
     R0_(nVariables, 0),
     W_(nVariables, haloExchange::nSlices(particles_)),
     R_(nVariables, pairs_.nSlices()),
+    sleeping_
+    (
+        faces, pairs_, schemes.getOrDefault<Switch>("sleeping", true)
+    ),
     nFallbacks_(0),
+    nReduced_(0),
     failed_(particles_.nParticles(), false),
-    firstOrder_(particles_.nParticles(), false)
+    firstOrder_(particles_.nParticles(), false),
+    limits_(1, stepLimit{1, 0, 0}),
+    sliceRates_(1, scalarList(pairs_.nSlices(), Zero)),
+    sliceSums_(pairs_.nSlices(), Zero),
+    meanAcoustic_(0),
+    slicesCurrent_(false),
+    limitsCurrent_(false),
+    physical_(true)
 {
     setGeometry();
 }
@@ -231,15 +245,68 @@ void Foam::SPH::conservationLaw::info(Ostream& os) const
 
 Foam::label Foam::SPH::conservationLaw::nFallbacks()
 {
-    const label n = nFallbacks_;
-    nFallbacks_ = 0;
-    return returnReduce(n, sumOp<label>());
+    const label n = nReduced_;
+    nReduced_ = 0;
+    return n;
+}
+
+
+void Foam::SPH::conservationLaw::startSleeping()
+{
+    // Uniform flow changes where particles are not closed
+    if (sleeping_.on() && closed_)
+    {
+        // To the last bit what a step without change gives
+        store();
+        restore();
+
+        halo_.start(W_.components());
+        halo_.finish(W_.components());
+        sleeping_.start(W_);
+    }
+}
+
+
+void Foam::SPH::conservationLaw::startSleeping(const scalarField& awake)
+{
+    if (sleeping_.on() && closed_)
+    {
+        boolList asleep(awake.size());
+        forAll(asleep, i)
+        {
+            asleep[i] = awake[i] < 0.5;
+        }
+        sleeping_.start(asleep);
+    }
+}
+
+
+bool Foam::SPH::conservationLaw::anyAsleep() const
+{
+    return sleeping_.anywhere();
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::SPH::conservationLaw::awake() const
+{
+    tmp<scalarField> tawake(new scalarField(particles_.nParticles(), 1));
+    scalarField& awake = tawake.ref();
+
+    forAll(awake, i)
+    {
+        if (sleeping_.on() && sleeping_.isAsleep(i))
+        {
+            awake[i] = 0;
+        }
+    }
+    return tawake;
 }
 
 
 void Foam::SPH::conservationLaw::store()
 {
     Q0_ = Q_;
+    failed_ = false;
 }
 
 
@@ -248,36 +315,6 @@ bool Foam::SPH::conservationLaw::startSuperStep(const scalar bDt)
     Qp_ = Q0_;
     R0_ = R_;
     return update(0, bDt, 0, nVariables());
-}
-
-
-Foam::label Foam::SPH::conservationLaw::acousticRate
-(
-    scalar& largest,
-    scalar& mean
-) const
-{
-    largest = 0;
-    mean = 0;
-    label fastest = -1;
-    for (label i = 0; i < particles_.nParticles(); ++i)
-    {
-        const scalar rate = waveSpeed(i)*rSpacing_[0][i];
-        if (rate > largest)
-        {
-            largest = rate;
-            fastest = i;
-        }
-        mean += rate;
-    }
-
-    const scalar here = largest;
-    reduce(largest, maxOp<scalar>());
-    mean =
-        returnReduce(mean, sumOp<scalar>())
-       /returnReduce(particles_.nParticles(), sumOp<label>());
-
-    return here == largest ? fastest : -1;
 }
 
 

@@ -31,7 +31,7 @@ protected:
 
     virtual const scalar* oldWeights() const = 0;
 
-    virtual bool stages
+    virtual void stages
     (
         conservationLaw& law,
         faceStates& faces,
@@ -45,13 +45,9 @@ protected:
             const scalar a = oldWeights()[stage];
 
             evaluate(law, faces, timeLeft + dt - elapsed);
-            if (!law.update(a, (1 - a)*dt, 0, law.nVariables()))
-            {
-                return false;
-            }
+            law.update(a, (1 - a)*dt, 0, law.nVariables());
             elapsed = (1 - a)*(elapsed + dt);
         }
-        return true;
     }
 
 };
@@ -143,7 +139,7 @@ class automatic
 
 protected:
 
-    virtual bool stages
+    virtual void stages
     (
         conservationLaw& law,
         faceStates& faces,
@@ -153,17 +149,15 @@ protected:
     {
         if (dt <= (1 + 1e-9)*shortStep_)
         {
-            return SSPRK3::stages(law, faces, dt, timeLeft);
+            SSPRK3::stages(law, faces, dt, timeLeft);
+            return;
         }
 
         const label s = nStages(dt);
         const scalar w = 4.0/(s*s + s - 2);
 
         evaluate(law, faces, timeLeft + dt);
-        if (!law.startSuperStep(w*b(1)*dt))
-        {
-            return false;
-        }
+        law.startSuperStep(w*b(1)*dt);
 
         for (label j = 2; j <= s; ++j)
         {
@@ -175,12 +169,8 @@ protected:
             const label k = j - 1;
             const scalar c = k == 1 ? 0.25*w : 0.25*w*(k*k + k - 2);
             evaluate(law, faces, timeLeft + (1 - c)*dt);
-            if (!law.superStep(mu, nu, rate, -(1 - b(j - 1))*rate))
-            {
-                return false;
-            }
+            law.superStep(mu, nu, rate, -(1 - b(j - 1))*rate);
         }
-        return true;
     }
 
 public:
@@ -189,7 +179,7 @@ public:
 
     virtual scalar stableDeltaT
     (
-        const conservationLaw& law,
+        conservationLaw& law,
         const scalar maxCo
     )
     {
@@ -213,7 +203,7 @@ class symplecticEuler
 :
     public timeScheme
 {
-    virtual bool stages
+    virtual void stages
     (
         conservationLaw& law,
         faceStates& faces,
@@ -224,15 +214,11 @@ class symplecticEuler
         const label firstAfter = 1 + loopDims(law.particles());
 
         evaluate(law, faces, timeLeft + dt);
-        if (!law.update(0, dt, 1, firstAfter))
-        {
-            return false;
-        }
+        law.update(0, dt, 1, firstAfter);
 
         evaluate(law, faces, timeLeft);
-        return
-            law.update(0, dt, 0, 1)
-         && law.update(0, dt, firstAfter, law.nVariables());
+        law.update(0, dt, 0, 1);
+        law.update(0, dt, firstAfter, law.nVariables());
     }
 
 public:

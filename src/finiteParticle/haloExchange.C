@@ -44,14 +44,14 @@ Foam::SPH::haloExchange::haloExchange(const particleMesh& particles)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::SPH::haloExchange::start(const slicedField& field)
+void Foam::SPH::haloExchange::start(const std::vector<scalar*>& arrays)
 {
-    const label nComponents = field.nComponents();
+    const label nArrays = arrays.size();
     firstRequest_ = UPstream::nRequests();
 
     for (neighbourRank& other : ranks_)
     {
-        other.received.setSize(nComponents*other.halo.size());
+        other.received.setSize(nArrays*other.halo.size());
         UIPstream::read
         (
             UPstream::commsTypes::nonBlocking,
@@ -64,10 +64,10 @@ void Foam::SPH::haloExchange::start(const slicedField& field)
     for (neighbourRank& other : ranks_)
     {
         const label n = other.wanted.size();
-        other.toSend.setSize(nComponents*n);
-        for (label c = 0; c < nComponents; ++c)
+        other.toSend.setSize(nArrays*n);
+        for (label c = 0; c < nArrays; ++c)
         {
-            const scalar* values = field[c];
+            const scalar* values = arrays[c];
             scalar* sent = other.toSend.data() + c*n;
             for (label k = 0; k < n; ++k)
             {
@@ -85,7 +85,7 @@ void Foam::SPH::haloExchange::start(const slicedField& field)
 }
 
 
-void Foam::SPH::haloExchange::finish(slicedField& field)
+void Foam::SPH::haloExchange::finish(const std::vector<scalar*>& arrays)
 {
     if (ranks_.size())
     {
@@ -95,9 +95,9 @@ void Foam::SPH::haloExchange::finish(slicedField& field)
     for (const neighbourRank& other : ranks_)
     {
         const label n = other.halo.size();
-        for (label c = 0; c < field.nComponents(); ++c)
+        for (label c = 0; c < label(arrays.size()); ++c)
         {
-            scalar* values = field[c];
+            scalar* values = arrays[c];
             const scalar* received = other.received.cdata() + c*n;
             for (label k = 0; k < n; ++k)
             {

@@ -46,26 +46,14 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
 template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
 {
-    const labelList& inner = pairs_.innerSlices();
-    const labelList& outer = pairs_.outerSlices();
+    sleeping_.update();
+    setGradients(pairs_.innerSlices());
+    halo_.finish(W_.components());
+    setGradients(pairs_.outerSlices());
 
-    #pragma omp parallel for
-    for (label k = 0; k < inner.size(); ++k)
+    if constexpr (Limiter::linear)
     {
-        gradients(inner[k]);
-    }
-
-    halo_.finish(W_);
-
-    #pragma omp parallel
-    {
-        #pragma omp for
-        for (label k = 0; k < outer.size(); ++k)
-        {
-            gradients(outer[k]);
-        }
-
-        #pragma omp for
+        #pragma omp parallel for
         for (label k = 0; k < faces_.owners().size(); ++k)
         {
             addFaceGradients(k);
@@ -73,14 +61,17 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
 
         if (limitByParticle_)
         {
-            #pragma omp for
+            #pragma omp parallel for
             for (label slice = 0; slice < pairs_.nSlices(); ++slice)
             {
-                limitGradients(slice);
+                if (!sleeping_.isUniform(slice))
+                {
+                    limitGradients(slice);
+                }
             }
         }
 
-        #pragma omp for
+        #pragma omp parallel for
         for (label k = 0; k < firstOrders_.size(); ++k)
         {
             for (label c = 0; c < G_.nComponents(); ++c)
@@ -90,22 +81,63 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
         }
     }
 
-    halo_.start(G_);
+    sleeping_.updateCalm();
+    halo_.start(gradientsSent());
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients
+(
+    const labelUList& all
+)
+{
+    const labelUList& slices = sleeping_.gradients(all);
+
+    #pragma omp parallel for
+    for (label k = 0; k < slices.size(); ++k)
+    {
+        if constexpr (Limiter::linear)
+        {
+            gradients(slices[k]);
+        }
+        if (!sleeping_.isAwake(slices[k]))
+        {
+            findCalm(slices[k]);
+        }
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+std::vector<Foam::scalar*>
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradientsSent()
+{
+    std::vector<scalar*> arrays(G_.components());
+    if (sleeping_.anywhere())
+    {
+        arrays.push_back(sleeping_.codes()[0]);
+    }
+    return arrays;
 }
 
 
 template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setRates
 (
-    const labelUList& slices
+    const labelUList& all
 )
 {
+    const labelUList& slices = sleeping_.rates(all, R_);
     label nFallbacks = 0;
 
     #pragma omp parallel for reduction(+:nFallbacks)
     for (label k = 0; k < slices.size(); ++k)
     {
-        nFallbacks += pairFluxes(slices[k]);
+        nFallbacks +=
+            sleeping_.mayBeStill(slices[k])
+          ? pairFluxes<true>(slices[k])
+          : pairFluxes<false>(slices[k]);
     }
 
     nFallbacks_ += nFallbacks;
@@ -122,7 +154,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
     faceStates& faces
 )
 :
-    conservationLaw(faces, nVars),
+    conservationLaw(schemes, faces, nVars),
     flux_(flux),
     limitByParticle_
     (
@@ -173,6 +205,8 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setPrimitive
         save(values, W_, i);
         save(flux_.conserved(values), Q_, i);
     }
+    slicesCurrent_ = false;
+    limitsCurrent_ = false;
 }
 
 
@@ -192,6 +226,8 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setConserved
         save(values, Q_, i);
         save(flux_.primitive(values), W_, i);
     }
+    slicesCurrent_ = false;
+    limitsCurrent_ = false;
 }
 
 
@@ -203,19 +239,23 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
     {
         save(flux_.primitive(load(Q_, i)), W_, i);
     }
+    limitsCurrent_ = false;
 }
 
 
 template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
 {
-    halo_.start(W_);
-    if constexpr (Limiter::linear)
+    const bool twoExchanges = Limiter::linear || sleeping_.anywhere();
+
+    halo_.start(W_.components());
+    if (twoExchanges)
     {
         setGradients();
     }
     setRates(pairs_.innerSlices());
-    halo_.finish(Limiter::linear ? G_ : W_);
+    halo_.finish(twoExchanges ? gradientsSent() : W_.components());
+    sleeping_.updateHalo();
     setRates(pairs_.outerSlices());
 
     const label nOwners = faces_.owners().size();
@@ -225,32 +265,60 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
     {
         addFaceFluxes(k);
     }
+
+    sleeping_.wake(R_);
 }
 
 
 template<class Flux, class Limiter, bool Viscous>
-template<class SetConserved>
+template<class Conserved>
 bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setState
 (
-    const SetConserved& setConserved
+    const Conserved& conserved
 )
 {
     const Flux flux(flux_);
     const label n = particles_.nParticles();
-    bool admissible = true;
+    bool allAdmissible = true;
 
-    #pragma omp parallel for reduction(&&:admissible)
-    for (label i = 0; i < n; ++i)
+    #pragma omp parallel for reduction(&&:allAdmissible)
+    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
     {
-        setConserved(i);
+        if (sleeping_.rests(slice))
+        {
+            continue;
+        }
 
-        const vars W(flux.primitive(load(Q_, i)));
-        save(W, W_, i);
-        failed_[i] = !flux.admissible(W);
-        admissible = admissible && !failed_[i];
+        const label i0 = slice*nLanes;
+        bool admissible[nLanes];
+
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const label i = i0 + lane;
+            const vars Q(conserved(i));
+            const vars W(flux.primitive(Q));
+            const bool ok = flux.admissible(W);
+            for (int v = 0; v < nVars; ++v)
+            {
+                Q_[v][i] = ok ? Q[v] : Q_[v][i];
+                W_[v][i] = ok ? W[v] : W_[v][i];
+            }
+            admissible[lane] = ok;
+        }
+
+        for (label lane = 0; lane < nLanes && i0 + lane < n; ++lane)
+        {
+            if (!admissible[lane])
+            {
+                failed_[i0 + lane] = true;
+                allAdmissible = false;
+            }
+        }
     }
 
-    return returnReduce(admissible, andOp<bool>());
+    limitsCurrent_ = false;
+    return allAdmissible;
 }
 
 
@@ -269,11 +337,13 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
         {
             const scalar rate = bDt/V_[0][i];
 
+            // Without a rate nothing changes, to the last bit
+            vars Q(load(Q_, i));
             for (label v = first; v < last; ++v)
             {
-                Q_[v][i] =
-                    (1 - a)*Q_[v][i] + a*Q0_[v][i] + rate*R_[v][i];
+                Q[v] += a*(Q0_[v][i] - Q[v]) + rate*R_[v][i];
             }
+            return Q;
         }
     );
 }
@@ -294,14 +364,17 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::superStep
         {
             const scalar rV = 1/V_[0][i];
 
-            for (label v = 0; v < nVariables(); ++v)
+            vars Q(load(Q_, i));
+            for (label v = 0; v < nVars; ++v)
             {
-                const scalar Q = Q_[v][i];
-                Q_[v][i] =
-                    mu*Q + nu*Qp_[v][i] + (1 - mu - nu)*Q0_[v][i]
+                const scalar before = Q[v];
+                Q[v] +=
+                    nu*(Qp_[v][i] - before)
+                  + (1 - mu - nu)*(Q0_[v][i] - before)
                   + rV*(bDt*R_[v][i] + gDt*R0_[v][i]);
-                Qp_[v][i] = Q;
+                Qp_[v][i] = before;
             }
+            return Q;
         }
     );
 }
@@ -326,11 +399,7 @@ Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::waveSpeed
 
 
 template<class Flux, class Limiter, bool Viscous>
-Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
-(
-    const scalar maxCo,
-    const scalar maxDiffusion
-) const
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setSliceRates()
 {
     // Fluxes that damp all differences by the speed of sound reduce those of a
     // checkerboard at the rate c sum |A|/V, 4 c/dx in square cells, and the
@@ -338,29 +407,40 @@ Foam::scalar Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stableRate
     // stages 2; their Courant numbers for gases are .2 of this
     constexpr scalar share = 0.21;
 
-    const label n = particles_.nParticles();
-    scalar largest = 0;
+    const Flux flux(flux_);
 
-    #pragma omp parallel for reduction(max:largest)
-    for (label i = 0; i < n; ++i)
+    #pragma omp parallel for
+    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
     {
-        const vars W(load(W_, i));
-        const scalar speed = flux_.waveSpeed(W);
-        const scalar c = flux_.soundSpeed(W);
-        const scalar damped =
-            flux_.damping()*c*areaByVolume_[0][i]
-          + 2*(speed - c)*rSpacing_[0][i];
-        scalar rate = max(speed*rSpacing_[0][i], share*damped)/maxCo;
-        if (Viscous)
+        if (slicesCurrent_ && sleeping_.rests(slice))
         {
-            rate +=
-                flux_.diffusivity(W)*diffusionWeight_[0][i]
-               /(V_[0][i]*maxDiffusion);
+            continue;
         }
-        largest = max(largest, rate);
-    }
 
-    return returnReduce(largest, maxOp<scalar>());
+        const label i0 = slice*nLanes;
+        scalar acoustic[nLanes];
+        scalar diffusive[nLanes];
+
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const label i = i0 + lane;
+            const vars W(load(W_, i));
+            const scalar speed = flux.waveSpeed(W);
+            const scalar c = flux.soundSpeed(W);
+            const scalar damped =
+                flux.damping()*c*areaByVolume_[0][i]
+              + 2*(speed - c)*rSpacing_[0][i];
+            const scalar crossed = speed*rSpacing_[0][i];
+            acoustic[lane] = max(crossed, share*damped);
+            diffusive[lane] =
+                Viscous
+              ? flux.diffusivity(W)*diffusionWeight_[0][i]/V_[0][i]
+              : 0;
+        }
+
+        conservationLaw::setSliceRates(slice, acoustic, diffusive);
+    }
 }
 
 

@@ -12,6 +12,7 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
+template<bool Sleeping>
 inline Foam::label
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 (
@@ -23,6 +24,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     const int* neighbour = pairs_.neighbour();
     const scalar* areas = pairs_.area();
     const scalar* gradWeights = pairs_.gradWeight();
+    const scalar* codes = sleeping_.code();
 
     const scalar* W[nVars];
     const scalar* G[nVars*nDims];
@@ -120,6 +122,19 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             fallback[lane] += (physical | (j == i)) ? 0 : 1;
         }
 
+        bool still = false;
+        if constexpr (Sleeping)
+        {
+            still = sleepingSlices::still(codes[i], codes[j]);
+            const bool useI = sleepingSlices::isAsleep(codes[i]);
+            for (int v = 0; v < nVars; ++v)
+            {
+                const scalar undisturbed = useI ? I[v] : J[v];
+                stateI[v] = still ? undisturbed : stateI[v];
+                stateJ[v] = still ? undisturbed : stateJ[v];
+            }
+        }
+
         vars L;
         vars R;
         for (int v = 0; v < nVars; ++v)
@@ -164,9 +179,12 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
                 n, sign*area, delta, gradWeights[e],
                 viscous
             );
+
+            // A product, which rounds the same with and without sleep
+            const scalar factor = still ? 0 : sign;
             for (int v = 0; v < nVars; ++v)
             {
-                rate[v][lane] -= sign*viscous[v];
+                rate[v][lane] -= factor*viscous[v];
             }
         }
     };
@@ -351,6 +369,8 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
 {
     const label i = faces_.owners()[k];
     const vars I(load(W_, i));
+    const bool sleeping = sleeping_.on() && sleeping_.isStill(i);
+    const vars scale(flux_.scale(I));
 
     for (const label facei : faces_.faces(k))
     {
@@ -376,7 +396,14 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
             }
         }
 
+        // What comes in undisturbed is no change
         const auto type = faces_.type(facei);
+        bool still = sleeping && !faces_.reflects(facei);
+        for (int v = 0; still && v < nVars; ++v)
+        {
+            still = calm(absorbing[v] - I[v], scale, v);
+        }
+
         const typename Flux::faceFlux F
         (
             type == faceStates::given
@@ -395,7 +422,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
         const scalar magSf = faces_.magSf()[facei];
         for (int v = 0; v < nVars; ++v)
         {
-            R_[v][i] -= magSf*(F.difference[v] + viscous[v]);
+            R_[v][i] -= still ? 0 : magSf*(F.difference[v] + viscous[v]);
         }
 
         faces_.massFlux()[facei] = magSf*F.mass;

@@ -78,6 +78,59 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
 
 
 template<class Flux, class Limiter, bool Viscous>
+inline bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::calm
+(
+    const scalar difference,
+    const vars& scale,
+    const int v
+)
+{
+    const scalar allowed = sleepingSlices::threshold*scale[v];
+    return (difference <= allowed) & (difference >= -allowed);
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::findCalm
+(
+    const label slice
+)
+{
+    const label end =
+        min((slice + 1)*nLanes, particles_.nParticles());
+
+    for (label i = slice*nLanes; i < end; ++i)
+    {
+        const vars I(load(W_, i));
+        const vars scale(flux_.scale(I));
+
+        bool isCalm = true;
+        for
+        (
+            label row = pairs_.start(slice);
+            isCalm && row < pairs_.start(slice + 1);
+            ++row
+        )
+        {
+            const vars J
+            (
+                load
+                (
+                    W_,
+                    pairs_.neighbour()[std::size_t(row)*nLanes + i % nLanes]
+                )
+            );
+            for (int v = 0; v < nVars; ++v)
+            {
+                isCalm = isCalm & calm(J[v] - I[v], scale, v);
+            }
+        }
+        sleeping_.setCalm(i, isCalm);
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 (
     const label k
@@ -85,6 +138,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 {
     const label i = faces_.owners()[k];
     const vars I(load(W_, i));
+    const bool awake = sleeping_.isAwake(i/nLanes);
 
     for (const label facei : faces_.faces(k))
     {
@@ -110,6 +164,11 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
                   : velocity ? -through*n[v - 1]
                   : 0;
                 const scalar difference = faces_.magSf()[facei]*step;
+
+                if (!awake && !calm(step, flux_.scale(I), v))
+                {
+                    sleeping_.setCalm(i, false);
+                }
 
                 for (int a = 0; a < nDims; ++a)
                 {

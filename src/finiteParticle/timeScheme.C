@@ -63,7 +63,7 @@ Foam::autoPtr<Foam::SPH::timeScheme> Foam::SPH::timeScheme::New
 
 Foam::scalar Foam::SPH::timeScheme::stableDeltaT
 (
-    const conservationLaw& law,
+    conservationLaw& law,
     const scalar maxCo
 )
 {
@@ -81,7 +81,10 @@ bool Foam::SPH::timeScheme::advance
 {
     law.store();
 
-    const bool physical = stages(law, faces, dt, timeLeft);
+    stages(law, faces, dt, timeLeft);
+
+    law.reduceState();
+    const bool physical = law.physical();
     if (!physical)
     {
         law.restore();

@@ -77,6 +77,7 @@ void Foam::SPH::flowSolver::setStart()
     {
         law_->setPrimitive(primitiveStart());
     }
+    startSleeping(continues);
     Info<< (continues ? "Continuing" : "Starting") << " from the fields of"
         << " time " << runTime_.timeName() << nl << nl
         << "Boundary conditions" << nl;

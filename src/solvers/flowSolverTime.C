@@ -11,6 +11,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "flowSolver.H"
+#include "vector2D.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -60,9 +61,7 @@ Foam::scalar Foam::SPH::flowSolver::stableDeltaT()
     longest_ = max(longest_, dt);
     if (dt < collapse*longest_)
     {
-        scalar largest;
-        scalar mean;
-        stop(law_->acousticRate(largest, mean), dt);
+        stop(law_->fastest(), dt);
     }
     return dt;
 }
@@ -151,8 +150,12 @@ void Foam::SPH::flowSolver::step
 
 void Foam::SPH::flowSolver::printDrift() const
 {
-    const scalar sqrU = returnReduce(sqrU_, sumOp<scalar>());
-    const scalar sqrChange = returnReduce(sqrChange_, sumOp<scalar>());
+    const vector2D sums
+    (
+        returnReduce(vector2D(sqrU_, sqrChange_), sumOp<vector2D>())
+    );
+    const scalar sqrU = sums.x();
+    const scalar sqrChange = sums.y();
 
     if (sqrU > 0)
     {
@@ -250,6 +253,10 @@ void Foam::SPH::flowSolver::write()
     // A restart needs every bit, whatever the case's writePrecision is
     const unsigned precision = IOstream::defaultPrecision(17);
     runTime_.write();
+    if (runTime_.writeTime())
+    {
+        writeAwake();
+    }
     IOstream::defaultPrecision(precision);
 
     const scalar done = runTime_.value() - runTime_.startTime().value();
