@@ -82,13 +82,15 @@ namespace SPH
         return tracks;
     }
 
-    //- Is an entry the two words, and nothing else
-    static bool isScheme(ITstream& is, const word& first, const word& second)
+    //- Is an entry these words, and nothing else
+    static bool isScheme(ITstream& is, const wordList& words)
     {
-        return
-            is.size() == 2
-         && is[0].isWord() && is[0].wordToken() == first
-         && is[1].isWord() && is[1].wordToken() == second;
+        bool same = is.size() == words.size();
+        for (label i = 0; same && i < words.size(); ++i)
+        {
+            same = is[i].isWord() && is[i].wordToken() == words[i];
+        }
+        return same;
     }
 
     //- Does a file have a header
@@ -189,17 +191,21 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
         return schemes;
     };
 
+    // Where convection is limited there may be shocks
+    bool central = false;
     std::string convection;
     for (const entry& e : schemesOf("divSchemes", "div(phi,U)"))
     {
-        if
-        (
-            !e.keyword().isPattern()
-         && e.keyword().starts_with("div(phi")
-         && isScheme(e.stream(), "Gauss", "linear")
-        )
+        if (!e.keyword().isPattern() && e.keyword().starts_with("div(phi"))
         {
-            convection += "    " + e.keyword() + " Gauss reconstructed;\n";
+            if (isScheme(e.stream(), {"Gauss", "linear"}))
+            {
+                central = true;
+                convection += "    " + e.keyword() + " Gauss reconstructed;\n";
+            }
+            central =
+                central
+             || isScheme(e.stream(), {"bounded", "Gauss", "linear"});
         }
     }
 
@@ -214,7 +220,7 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
     const word pressure("grad(p)");
     const dictionary gradients(schemesOf("gradSchemes", pressure));
     const entry* e = gradients.findEntry(pressure, keyType::LITERAL);
-    if (e && isScheme(e->stream(), "Gauss", "linear"))
+    if (central && e && isScheme(e->stream(), {"Gauss", "linear"}))
     {
         additions +=
             "gradSchemes\n{\n"

@@ -356,6 +356,17 @@ TEST_F(ParticleDictionaries, linearConvectionAndPressureAreReconstructed)
         "Gauss reconstructed exact(p)"
     );
     EXPECT_EQ(pressure("default none;"), "none");
+    gradSchemes = "default Gauss linear;";
+    EXPECT_FALSE
+    (
+        written("default none; div(phi,U) Gauss limitedLinearV 1;")
+            .subDict("gradSchemes").found("grad(p)")
+    );
+    EXPECT_TRUE
+    (
+        written("default none; div(phi,U) bounded Gauss linear;")
+            .subDict("gradSchemes").found("grad(p)")
+    );
     EXPECT_EQ(pressure("default leastSquares;"), "leastSquares");
 }
 
