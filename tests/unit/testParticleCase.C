@@ -349,7 +349,10 @@ TEST_F(ParticleDictionaries, linearConvectionAndPressureAreReconstructed)
         const dictionary grad(written(each).subDict("gradSchemes"));
         return textOf(grad, grad.found("grad(p)") ? "grad(p)" : "default");
     };
-    EXPECT_EQ(pressure("default Gauss linear;"), "Gauss reconstructed exact(p)");
+    EXPECT_EQ
+    (
+        pressure("default Gauss linear;"), "Gauss reconstructed exact(p)"
+    );
     EXPECT_EQ
     (
         pressure("default none; grad(p) Gauss linear;"),
