@@ -50,6 +50,7 @@ void Foam::SPH::gradedStart::divide
     {
         corners_.append(corner);
         edges_.append(edges);
+        spacing_.append(dp);
         return;
     }
 
@@ -81,7 +82,7 @@ Foam::SPH::gradedStart::sampleBody
     {
         const vector& edges = edges_[celli];
         const vector centre(corners_[celli] + 0.5*edges);
-        const scalar dp = domain_.spacingAt(centre);
+        const scalar dp = spacing_[celli];
         const scalar phi = domain_.distance(bodyi, centre);
         const scalar depth = domain_.support(0, dp) + dp;
 
@@ -131,11 +132,7 @@ Foam::SPH::gradedStart::sampleBody
                         );
                     if (fraction > 0)
                     {
-                        const scalar local = domain_.spacingAt(p);
-                        samples.append
-                        ({
-                            p, fraction*V/domain_.volume(local)
-                        });
+                        samples.append({p, fraction*V/domain_.volume(dp)});
                     }
                 }
             }
@@ -314,7 +311,7 @@ void Foam::SPH::gradedStart::generate
             (
                 corners_[celli],
                 edges_[celli],
-                domain_.spacingAt(corners_[celli] + 0.5*edges_[celli]),
+                spacing_[celli],
                 cell
             );
         }

@@ -37,7 +37,7 @@ Foam::SPH::relaxationMethod::relaxationMethod
         dict.getOrDefault<scalar>
         (
             "rmsTolerance",
-            dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 4e-3 : 2e-3
+            dict.found("tolerance") ? 0 : domain.nDims() == 3 ? 2e-2 : 2e-3
         )
     ),
     disturbance_
