@@ -10,11 +10,11 @@ Application
 
 Description
     Numbers taken from a scalar field, of FVM (rho) or of SPH mapped to the
-    cells (rho.sph) alike, at the latest time that has it. One line
-    'name = value' for each.
+    cells (rho.sph) alike, at the latest time that has it or that next to
+    -time. One line 'name = value' for each.
 
 Usage
-    \b measureField -field \<name\> [OPTION]
+    \b measureField -field \<name\> [-time VALUE] [OPTION]
 
       - \par -line \<((x y z) (x y z))\> -level \<value\>
         crossing: distance along the line at which the field first crosses the
@@ -39,15 +39,15 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The field at the latest time that has it
+//- The field at the latest of these times that has it
 static volScalarField readField
 (
     Time& runTime,
+    const instantList& times,
     const fvMesh& mesh,
     const word& name
 )
 {
-    const instantList times(runTime.times());
     forAllReverse(times, i)
     {
         runTime.setTime(times[i], i);
@@ -129,6 +129,7 @@ int main(int argc, char *argv[])
     argList::noParallel();
     argList::addNote("Numbers taken from a scalar field");
     argList::addOption("field", "name", "Scalar field to measure");
+    argList::addOption("time", "value", "Time next to which to measure");
     argList::addOption("line", "points", "First and last point of a line");
     argList::addOption("level", "value", "Level whose crossing is searched");
     argList::addOption("point", "point", "Point to interpolate to");
@@ -140,7 +141,13 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     const word name(args.get<word>("field"));
-    const volScalarField f(readField(runTime, mesh, name));
+    const instantList times
+    (
+        args.found("time")
+      ? instantList(1, runTime.findClosestTime(args.get<scalar>("time")))
+      : runTime.times()
+    );
+    const volScalarField f(readField(runTime, times, mesh, name));
 
     if (args.found("line"))
     {
@@ -194,7 +201,10 @@ int main(int argc, char *argv[])
         reportNorms
         (
             f,
-            readField(runTime, mesh, args.get<word>("exact")).primitiveField()
+            readField
+            (
+                runTime, times, mesh, args.get<word>("exact")
+            ).primitiveField()
         );
     }
 
