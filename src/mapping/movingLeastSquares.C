@@ -7,12 +7,18 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
 #include <Eigen/Dense>
 #include <omp.h>
 
 #include "movingLeastSquares.H"
 #include "kernel.H"
-#include "pointTree.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -43,6 +49,56 @@ namespace SPH
     static scalar shape(const scalar q)
     {
         return q < 1 ? pow4(1 - q)*(1 + 4*q) : 0;
+    }
+
+    //- CGAL's k-d tree over points and their indices. Searches allocate, but
+    //- each thread for itself, unlike indexedOctree's spheres, whose hash
+    //- tables make them three to six times slower
+    typedef CGAL::Simple_cartesian<scalar> pointKernel;
+    typedef std::pair<pointKernel::Point_3, label> indexedPoint;
+    typedef CGAL::Search_traits_adapter
+    <
+        indexedPoint,
+        CGAL::First_of_pair_property_map<indexedPoint>,
+        CGAL::Search_traits_3<pointKernel>
+    > treeTraits;
+    typedef CGAL::Kd_tree<treeTraits> pointTree;
+
+    static pointKernel::Point_3 treePoint(const point& p)
+    {
+        return pointKernel::Point_3(p.x(), p.y(), p.z());
+    }
+
+    static label nearest(const pointTree& tree, const point& x)
+    {
+        const CGAL::Orthogonal_k_neighbor_search<treeTraits> search
+        (
+            tree, treePoint(x), 1
+        );
+        return search.begin()->first.second;
+    }
+
+    //- Indices of all points within R of x, ascending
+    static void withinSphere
+    (
+        const pointTree& tree,
+        const point& x,
+        const scalar R,
+        DynamicList<label>& found
+    )
+    {
+        std::vector<indexedPoint> points;
+        tree.search
+        (
+            std::back_inserter(points),
+            CGAL::Fuzzy_sphere<treeTraits>(treePoint(x), R)
+        );
+        found.clear();
+        for (const indexedPoint& p : points)
+        {
+            found.append(p.second);
+        }
+        std::sort(found.begin(), found.end());
     }
 
     //- Points in the solution space, in local coordinates
@@ -182,7 +238,16 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
         v = kernel::integerPow(v, space.nDims());
     }
 
-    const pointTree tree(sources);
+    pointTree tree;
+    forAll(sources, k)
+    {
+        tree.insert({treePoint(sources[k]), k});
+    }
+    if (sources.size())
+    {
+        // Before the threads search, of which the first one would build it
+        tree.build();
+    }
 
     // Every thread fills its own contiguous share of the targets
     List<DynamicList<label>> threadSource(omp_get_max_threads());
@@ -200,7 +265,7 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
         for (label i = 0; i < size(); ++i)
         {
             const point& x = targets[i];
-            const label n0 = nearest_[i] = tree.nearest(x);
+            const label n0 = nearest_[i] = nearest(tree, x);
 
             scalar R = max
             (
@@ -215,7 +280,7 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
             best.amplification = GREAT;
             for (label n = 0; n <= maxGrowths; ++n, R *= growth)
             {
-                tree.sphere(x, R, current.source);
+                withinSphere(tree, x, R, current.source);
                 const label rank =
                     current.fit(sources, volume, x, R, degenerate);
 

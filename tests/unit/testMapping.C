@@ -13,7 +13,6 @@ License
 #include "movingLeastSquares.H"
 #include "OSspecific.H"
 #include "particlesToMesh.H"
-#include "pointTree.H"
 #include "Random.H"
 
 #include <cmath>
@@ -392,40 +391,6 @@ TEST(MovingLeastSquares, needsSources)
         ).find("from no points"),
         std::string::npos
     );
-}
-
-
-TEST(PointTree, findsWhatABruteForceSearchFinds)
-{
-    // Spacings that differ by 100, and coincident points
-    pointField points(lattice(3, 6, 0.8));
-    points.append(0.01*lattice(3, 6, 0.8));
-    points.append(pointField(40, point(0.3, 0.3, 0.3)));
-
-    const pointTree tree(points);
-    DynamicList<label> found;
-
-    Random random(5);
-    for (label n = 0; n < 200; ++n)
-    {
-        const point x(1.2*random.sample01<vector>());
-        const scalar r = 0.3*random.sample01<scalar>();
-
-        DynamicList<label> expected;
-        scalar nearest = GREAT;
-        forAll(points, i)
-        {
-            nearest = min(nearest, mag(points[i] - x));
-            if (magSqr(points[i] - x) <= sqr(r))
-            {
-                expected.append(i);
-            }
-        }
-
-        tree.sphere(x, r, found);
-        EXPECT_EQ(labelList(found), labelList(expected));
-        EXPECT_EQ(mag(points[tree.nearest(x)] - x), nearest);
-    }
 }
 
 
