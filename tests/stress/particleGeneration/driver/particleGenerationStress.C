@@ -38,7 +38,7 @@ Usage
 #include "particleGenerator.H"
 #include "particleMeshAssembly.H"
 #include "particleMeshProperties.H"
-#include "prismMesh.H"
+#include "polygonMesh.H"
 #include "randomScene.H"
 #include "surfaceFields.H"
 #include "Time.H"
@@ -174,35 +174,41 @@ static void run
     scalar widest = 0;
     try
     {
-        PtrList<polygonPatch> patches;
+        dictionary outlines;
+        outlines.set("size", 2*scene.spacing());
+        dictionary patches;
         forAll(scene.loops(), i)
         {
-            patches.append
-            (
-                new polygonPatch
-                (
-                    "loop" + Foam::name(i), "wall", scene.loops()[i]
-                )
-            );
+            dictionary patch;
+            patch.set("loop", scene.loops()[i]);
+            patches.set(word("loop" + Foam::name(i)), patch);
         }
-        const prismMesh prisms(patches, 2*scene.spacing(), 1);
+        outlines.set("patches", patches);
+
+        const IOobject io
+        (
+            polyMesh::defaultRegion,
+            runTime.constant(),
+            runTime,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        );
+        const autoPtr<polyMesh> prisms(newPolygonMesh(io, outlines));
 
         fvMesh mesh
         (
-            IOobject
-            (
-                polyMesh::defaultRegion,
-                runTime.constant(),
-                runTime,
-                IOobject::NO_READ,
-                IOobject::AUTO_WRITE
-            ),
-            prisms.points(),
-            faceList(prisms.faces()),
-            labelList(prisms.owner()),
-            labelList(prisms.neighbour())
+            io,
+            pointField(prisms->points()),
+            faceList(prisms->faces()),
+            labelList(prisms->faceOwner()),
+            labelList(prisms->faceNeighbour())
         );
-        List<polyPatch*> meshPatches(prisms.newPatches(mesh.boundaryMesh()));
+        List<polyPatch*> meshPatches(prisms->boundaryMesh().size());
+        forAll(meshPatches, patchi)
+        {
+            meshPatches[patchi] =
+                prisms->boundaryMesh()[patchi].clone(mesh.boundaryMesh()).ptr();
+        }
         mesh.addFvPatches(meshPatches);
 
         IOdictionary dict
