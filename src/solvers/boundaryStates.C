@@ -9,6 +9,7 @@ License
 
 #include "boundaryStates.H"
 #include "basicSymmetryFvPatchFields.H"
+#include "mixedFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -96,6 +97,14 @@ void Foam::SPH::boundaryStates::correctFlux(const label patchi)
     {
         phi_.boundaryFieldRef()[patchi] == (Up.patch().Sf() & Up);
     }
+    else if (isA<mixedFvPatchVectorField>(Up))
+    {
+        // Its own value follows from phi: by that alone an outlet that has no
+        // velocity yet would stay closed, and so would, by that of the
+        // particles alone, a free stream around fluid at rest
+        phi_.boundaryFieldRef()[patchi] ==
+            0.5*(Up.patch().Sf() & (Up + Up.patchInternalField()));
+    }
     else
     {
         phi_.boundaryFieldRef()[patchi] ==
@@ -143,7 +152,10 @@ Foam::SPH::boundaryStates::boundaryStates
 
 bool Foam::SPH::boundaryStates::givesVelocity(const fvPatchVectorField& Up)
 {
-    return Up.fixesValue() && !Up.type().starts_with("pressure");
+    return
+        Up.fixesValue()
+     && !isA<mixedFvPatchVectorField>(Up)
+     && !Up.type().starts_with("pressure");
 }
 
 

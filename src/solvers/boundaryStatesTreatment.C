@@ -39,6 +39,18 @@ bool Foam::SPH::boundaryStates::isOwn(const fvPatchField<Type>& patchField)
 }
 
 
+template bool Foam::SPH::boundaryStates::isGiven
+(
+    const fvPatchScalarField&
+);
+template bool Foam::SPH::boundaryStates::isGiven
+(
+    const fvPatchVectorField&
+);
+template bool Foam::SPH::boundaryStates::isOwn(const fvPatchScalarField&);
+template bool Foam::SPH::boundaryStates::isOwn(const fvPatchVectorField&);
+
+
 bool Foam::SPH::boundaryStates::crosses(const fvPatchVectorField& Up)
 {
     return
@@ -139,7 +151,7 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
          && !(patch.size() && contact(patch.start()));
 
         bool evaluate =
-            type != slip && !isGiven(Up) && !isOwn(Up);
+            type != slip && mayChange(Up);
 
         for (const scalarVariable& s : scalars_)
         {

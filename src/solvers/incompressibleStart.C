@@ -14,6 +14,7 @@ License
 #include "gaussGrad.H"
 #include "gaussLaplacianScheme.H"
 #include "linear.H"
+#include "mixedFvPatchFields.H"
 #include "surfaceFields.H"
 #include "uncorrectedSnGrad.H"
 #include "zeroGradientFvPatchFields.H"
@@ -78,6 +79,7 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
 {
     const fvMesh& mesh = U.mesh();
 
+    // A free stream fixes p where it leaves
     wordList types
     (
         p.boundaryField().size(),
@@ -85,7 +87,12 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
     );
     forAll(types, patchi)
     {
-        if (p.boundaryField()[patchi].fixesValue())
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        if (isA<mixedFvPatchScalarField>(pp))
+        {
+            types[patchi] = mixedFvPatchScalarField::typeName;
+        }
+        else if (pp.fixesValue())
         {
             types[patchi] = fixedValueFvPatchScalarField::typeName;
         }
@@ -97,6 +104,23 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
         dimensionedScalar(dimArea/dimTime, Zero),
         types
     );
+    forAll(types, patchi)
+    {
+        fvPatchScalarField& Phip = Phi.boundaryFieldRef()[patchi];
+        if (isA<mixedFvPatchScalarField>(Phip))
+        {
+            mixedFvPatchScalarField& mixed =
+                refCast<mixedFvPatchScalarField>(Phip);
+
+            mixed.refValue() = Zero;
+            mixed.refGrad() = Zero;
+            mixed.valueFraction() =
+                refCast<const mixedFvPatchScalarField>
+                (
+                    p.boundaryField()[patchi]
+                ).valueFraction();
+        }
+    }
 
     solvePoisson
     (
@@ -122,11 +146,13 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
     surfaceScalarField force(-(linearInterpolate(convection) & mesh.Sf()));
     forAll(types, patchi)
     {
-        if
-        (
-            !mesh.boundary()[patchi].coupled()
-         && types[patchi] == zeroGradientFvPatchScalarField::typeName
-        )
+        const fvPatchScalarField& Phip = Phi.boundaryField()[patchi];
+        if (isA<mixedFvPatchScalarField>(Phip))
+        {
+            force.boundaryFieldRef()[patchi] *=
+                refCast<const mixedFvPatchScalarField>(Phip).valueFraction();
+        }
+        else if (!Phip.coupled() && !Phip.fixesValue())
         {
             force.boundaryFieldRef()[patchi] = Zero;
         }

@@ -76,31 +76,16 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
     const scalar nu
 ) const
 {
-    scalar U = gMax(mag(U_.primitiveField())());
-    scalarMinMax p(gMinMax(p_.primitiveField()));
-    scalar wallArea = 0;
+    const scalar U = drive_.velocity(longestSide());
 
+    scalar wallArea = 0;
     for (const fvPatch& patch : particles_.mesh().boundary())
     {
-        const label patchi = patch.index();
-        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-
         if (isA<wallFvPatch>(patch))
         {
             wallArea += gSum(patch.magSf());
         }
-        if (Up.fixesValue() && returnReduce(Up.size(), sumOp<label>()))
-        {
-            U = max(U, gMax(mag(Up)()));
-        }
-        if (pp.fixesValue() && returnReduce(pp.size(), sumOp<label>()))
-        {
-            p += gMinMax(pp);
-        }
     }
-    const scalar driven = 2*(p.max() - p.min());
-    U = max(U, sqrt(driven));
 
     // Loss of pressure along a channel of two walls with gap h = 2 V/A:
     // 12 nu U L/h^2
@@ -145,13 +130,26 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::soundSpeed
 }
 
 
+void Foam::SPH::weaklyCompressibleFlow::remember
+(
+    const word& name,
+    const scalar value
+)
+{
+    // A dictionary keeps no more digits than it would write
+    const unsigned precision = IOstream::defaultPrecision(17);
+    state_.set(name, value);
+    IOstream::defaultPrecision(precision);
+}
+
+
 Foam::SPH::weaklyCompressibleFluid
 Foam::SPH::weaklyCompressibleFlow::readFluid()
 {
     const scalar nu = viscosity();
     const scalar c = soundSpeed(nu);
     const scalar ratio = schemes_.getOrDefault<scalar>("soundSpeedRatio", 10);
-    state_.set("velocityScale", c/ratio);
+    remember("velocityScale", c/ratio);
 
     const bool constant =
         checkedWord(schemes_, "density", "constant", {"constant", "variable"})
@@ -162,6 +160,23 @@ Foam::SPH::weaklyCompressibleFlow::readFluid()
     );
 
     return {c, nu, constant ? 0 : 1/sqr(c), damping};
+}
+
+
+void Foam::SPH::weaklyCompressibleFlow::startBoundaries()
+{
+    for (fvPatchVectorField& Up : U_.boundaryFieldRef())
+    {
+        if (boundaryStates::givesVelocity(Up))
+        {
+            Up.evaluate();
+        }
+    }
+
+    // Those of a free stream divide by the velocity: by that of the file, as
+    // for FVM, since the fluid may be at rest
+    p_.correctBoundaryConditions();
+    U_.correctBoundaryConditions();
 }
 
 
@@ -214,7 +229,12 @@ void Foam::SPH::weaklyCompressibleFlow::warnOfCompression()
     }
 
     const scalar Mach = gMax(mag(U_.primitiveField())())/fluid_.c;
-    const scalar variation = gMax(mag(p_.primitiveField())())/sqr(fluid_.c);
+    const scalar variation =
+    (
+        fluid_.densitySlope > 0
+      ? gMax(mag(p_.primitiveField())())
+      : gMinMax(p_.primitiveField()).span()
+    )/sqr(fluid_.c);
 
     if (Mach > largestMach || variation > largestVariation)
     {
@@ -269,24 +289,21 @@ void Foam::SPH::weaklyCompressibleFlow::exchangeOuterStates
 void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
 {
     // What follows slowly has inertia, as if the domain were longer, which
-    // keeps pressures from driving the flow: 12 % in a channel started so
-    bool velocityDrives = false;
-    for (const fvPatchVectorField& Up : U_.boundaryField())
-    {
-        velocityDrives =
-            velocityDrives
-         || (
-                boundaryStates::givesVelocity(Up)
-             && gMax(mag(Up & Up.patch().nf())()) > 0
-            );
-    }
+    // keeps pressures from driving the flow, 12 % in a channel started so, and
+    // lags behind velocities that change
+    constexpr scalar largestLag = 0.1;
+
+    const scalar passage = longestSide()/fluid_.c;
+    const bool absorbs =
+        drive_.through() > 0 && passage*drive_.frequency() < largestLag;
 
     const scalar tau = schemes_.getCheckOrDefault<scalar>
     (
         "absorptionTime",
-        velocityDrives ? longestSide()/fluid_.c : 0,
+        state_.getOrDefault<scalar>("absorptionTime", absorbs ? passage : 0),
         [](const scalar value) { return value >= 0; }
     );
+    remember("absorptionTime", tau);
 
     faces_->correct(law_->W(), 0);
     faces_->startFollowing(tau, law_->W());
@@ -354,8 +371,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     phi_
     (
         IOobject("phi", runTime.timeName(), particles.mesh()),
-        particles.mesh(),
-        dimensionedScalar(dimVolume/dimTime, Zero)
+        linearInterpolate(U_) & particles.mesh().Sf()
     ),
     state_
     (
@@ -369,12 +385,18 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
             IOobject::AUTO_WRITE
         )
     ),
+    drive_(U_, p_),
     fluid_(readFluid()),
     warned_(false)
 {
     checkDimensions(U_, dimVelocity);
     checkDimensions(p_, sqr(dimVelocity));
 
+    const bool starts = conservedStart().empty();
+    if (starts)
+    {
+        startBoundaries();
+    }
     checkFluxes();
 
     Info<< "Sound speed " << fluid_.c << " m/s, kinematic viscosity "
@@ -386,11 +408,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     );
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
-    if
-    (
-        conservedStart().empty()
-     && schemes_.getOrDefault<Switch>("projectStart", true)
-    )
+    if (starts && schemes_.getOrDefault<Switch>("projectStart", true))
     {
         incompressibleStart(U_, p_);
     }
