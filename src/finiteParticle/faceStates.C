@@ -22,6 +22,7 @@ Foam::SPH::faceStates::faceStates
     value_(nVariables),
     own_(nVariables),
     fixed_(nVariables),
+    given_(nVariables),
     n_(treatment_.size()),
     relative_(treatment_.size()),
     magSf_(treatment_.size()),
@@ -37,6 +38,7 @@ Foam::SPH::faceStates::faceStates
         value_[variable].setSize(treatment_.size(), Zero);
         own_[variable].setSize(treatment_.size(), false);
         fixed_[variable].setSize(treatment_.size(), false);
+        given_[variable].setSize(treatment_.size(), false);
     }
 
     forAll(n_, facei)
@@ -92,36 +94,37 @@ Foam::SPH::faceStates::faceStates
 void Foam::SPH::faceStates::startFollowing
 (
     const scalar tau,
+    const scalar c,
     const slicedField& W
 )
 {
-    followTime_ = tau;
-    followed_.setSize(nVariables()*size());
-    for (label variable = 0; variable < nVariables(); ++variable)
+    followTime_ = 0;
+    followSpeed_ = c;
+    target_.setSize(nVariables()*size());
+
+    scalarField L(nVariables());
+    scalarField outer(nVariables());
+    for (label facei = 0; facei < size(); ++facei)
     {
-        for (label facei = 0; facei < size(); ++facei)
+        const label i = particles_.boundary().faces().owner[facei];
+        for (label variable = 0; variable < nVariables(); ++variable)
         {
-            followed_[variable*size() + facei] = target(W, variable, facei);
+            L[variable] = W[variable][i];
+            outer[variable] =
+                own_[variable][facei] ? L[variable] : value_[variable][facei];
         }
+        complete(L, outer, facei);
     }
+    followTime_ = tau;
+    followed_ = target_;
 }
 
 
-void Foam::SPH::faceStates::follow(const slicedField& W, const scalar dt)
+void Foam::SPH::faceStates::follow(const scalar dt)
 {
-    if (followTime_ <= 0)
+    if (followTime_ > 0)
     {
-        return;
-    }
-
-    const scalar fraction = -std::expm1(-dt/followTime_);
-    for (label variable = 0; variable < nVariables(); ++variable)
-    {
-        for (label facei = 0; facei < size(); ++facei)
-        {
-            scalar& value = followed_[variable*size() + facei];
-            value += fraction*(target(W, variable, facei) - value);
-        }
+        followed_ -= std::expm1(-0.5*dt/followTime_)*(target_ - followed_);
     }
 }
 

@@ -388,13 +388,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
         }
 
         vars absorbing(outer);
-        for (int v = 0; v < nVars; ++v)
-        {
-            if (faces_.follows(v, facei))
-            {
-                absorbing[v] = faces_.followed(v, facei);
-            }
-        }
+        faces_.complete(L, absorbing, facei);
 
         // What comes in undisturbed is no change
         const auto type = faces_.type(facei);

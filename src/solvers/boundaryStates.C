@@ -58,8 +58,53 @@ void Foam::SPH::boundaryStates::copyPatch
 }
 
 
+void Foam::SPH::boundaryStates::setGiven(const label patchi)
+{
+    const particlePatch& patch = particles_.boundary()[patchi];
+    const labelUList face(patch.face());
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+
+    // What flows out has the velocity of the flow
+    boolList velocity(Up.size(), givesVelocity(Up));
+    if (isA<mixedFvPatchVectorField>(Up))
+    {
+        const scalarField& fraction =
+            refCast<const mixedFvPatchVectorField>(Up).valueFraction();
+        const scalarField flux(Up & Up.patch().Sf());
+        forAll(velocity, k)
+        {
+            velocity[k] = fraction[k] > 0.5 && flux[k] <= 0;
+        }
+    }
+    for (label d = 0; d < loopDims(particles_); ++d)
+    {
+        SubList<bool>(given_[1 + d], patch.size(), patch.start()) =
+            boolList(velocity, face);
+    }
+
+    for (const scalarVariable& s : scalars_)
+    {
+        const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
+        boolList given(sp.size(), sp.fixesValue());
+        if (isA<mixedFvPatchScalarField>(sp))
+        {
+            const scalarField& fraction =
+                refCast<const mixedFvPatchScalarField>(sp).valueFraction();
+            forAll(given, k)
+            {
+                given[k] = fraction[k] > 0.5;
+            }
+        }
+        SubList<bool>(given_[s.variable], patch.size(), patch.start()) =
+            boolList(given, face);
+    }
+}
+
+
 void Foam::SPH::boundaryStates::copyPatches(const label patchi)
 {
+    setGiven(patchi);
+
     const fvPatchVectorField& Up = U_.boundaryField()[patchi];
 
     // Of the velocity of a slip wall only what moves the wall counts: along an

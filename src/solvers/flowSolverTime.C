@@ -127,7 +127,7 @@ void Foam::SPH::flowSolver::step
     {
         if (timeScheme_->advance(*law_, *faces_, dt, timeLeft))
         {
-            faces_->follow(law_->W(), dt);
+            faces_->follow(dt);
             law_->resumeReconstruction();
             return;
         }

@@ -81,7 +81,11 @@ Foam::scalar Foam::SPH::weaklyCompressibleFlow::velocityScale
     scalar wallArea = 0;
     for (const fvPatch& patch : particles_.mesh().boundary())
     {
-        if (isA<wallFvPatch>(patch))
+        if
+        (
+            isA<wallFvPatch>(patch)
+         && boundaryStates::givesVelocity(U_.boundaryField()[patch.index()])
+        )
         {
             wallArea += gSum(patch.magSf());
         }
@@ -306,7 +310,7 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
     remember("absorptionTime", tau);
 
     faces_->correct(law_->W(), 0);
-    faces_->startFollowing(tau, law_->W());
+    faces_->startFollowing(tau, fluid_.c, law_->W());
 
     exchangeOuterStates(!hasField(outerP_.name()) || !hasField(outerU_.name()));
 }
