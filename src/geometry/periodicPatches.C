@@ -30,9 +30,20 @@ namespace SPH
         );
         const vector T(average(jump));
 
+        const polyMesh& mesh = pp.boundaryMesh().mesh();
+        if (pp.size() && max(mag(jump)) < 1e-6*mesh.bounds().mag())
+        {
+            FatalErrorInFunction
+                << "The cyclic patches " << pp.name() << " and "
+                << pp.neighbPatchName() << " of "
+                << mesh.boundaryMesh().objectPath()
+                << " lie on one another, as those of fans and baffles do,"
+                << " which is not supported. With the entry zone of"
+                << " sphMeshDict FVM cells can stay there" << exit(FatalError);
+        }
+
         if (max(mag(jump - T)) > 1e-6*mag(T))
         {
-            const polyMesh& mesh = pp.boundaryMesh().mesh();
             FatalErrorInFunction
                 << "The cyclic patches " << pp.name() << " and "
                 << pp.neighbPatchName() << " of "

@@ -65,38 +65,31 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
     const fvPatchVectorField& Up = U_.boundaryField()[patchi];
 
     // What flows out has the velocity of the flow
-    boolList velocity(Up.size(), givesVelocity(Up));
-    if (isA<mixedFvPatchVectorField>(Up))
-    {
-        const scalarField& fraction =
-            refCast<const mixedFvPatchVectorField>(Up).valueFraction();
-        const scalarField flux(Up & Up.patch().Sf());
-        forAll(velocity, k)
-        {
-            velocity[k] = fraction[k] > 0.5 && flux[k] <= 0;
-        }
-    }
+    const bool velocity = givesVelocity(Up);
+    const auto* mixedU = isA<mixedFvPatchVectorField>(Up);
     for (label d = 0; d < loopDims(particles_); ++d)
     {
-        SubList<bool>(given_[1 + d], patch.size(), patch.start()) =
-            boolList(velocity, face);
+        forAll(face, k)
+        {
+            const label facei = face[k];
+            given_[1 + d][patch.start() + k] =
+                mixedU
+              ? mixedU->valueFraction()[facei] > 0.5
+             && (Up[facei] & Up.patch().Sf()[facei]) <= 0
+              : velocity;
+        }
     }
 
     for (const scalarVariable& s : scalars_)
     {
         const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
-        boolList given(sp.size(), sp.fixesValue());
-        if (isA<mixedFvPatchScalarField>(sp))
+        const bool fixes = sp.fixesValue();
+        const auto* mixed = isA<mixedFvPatchScalarField>(sp);
+        forAll(face, k)
         {
-            const scalarField& fraction =
-                refCast<const mixedFvPatchScalarField>(sp).valueFraction();
-            forAll(given, k)
-            {
-                given[k] = fraction[k] > 0.5;
-            }
+            given_[s.variable][patch.start() + k] =
+                mixed ? mixed->valueFraction()[face[k]] > 0.5 : fixes;
         }
-        SubList<bool>(given_[s.variable], patch.size(), patch.start()) =
-            boolList(given, face);
     }
 }
 
