@@ -48,6 +48,16 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
             << exit(FatalIOError);
     }
 
+    // Flat cells fill a narrow mesh, as those of one layer between symmetry
+    // planes or cyclic patches, but one layer of particles says nothing across
+    const vector low(space_.toLocal(mesh.bounds().min()));
+    const vector high(space_.toLocal(mesh.bounds().max()));
+    scalar half = GREAT;
+    for (label d = 0; d < space_.nDims(); ++d)
+    {
+        half = Foam::min(half, 0.5*(high[d] - low[d]));
+    }
+
     DynamicList<point> centres(mesh.nCells());
     DynamicList<scalar> sizes(mesh.nCells());
     forAll(mesh.cellVolumes(), celli)
@@ -62,7 +72,7 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
                 Foam::min
                 (
                     Foam::max(scale*space_.spacing(V), least),
-                    largest
+                    Foam::min(largest, half)
                 )
             );
         }

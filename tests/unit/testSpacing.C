@@ -148,6 +148,26 @@ TEST_F(SpacingFunction, refinedGrowsAwayFromPatchesAndRegions)
 }
 
 
+TEST(FromMeshSpacing, putsTwoParticlesAcrossOneLayerOfFlatCells)
+{
+    testCase::layout layout;
+    layout.twoD = false;
+    layout.nCells = labelVector(10, 10, 1);
+    layout.box = boundBox(point::zero, point(2, 2, 0.08));
+    testCase c(layout);
+    const patchSurface surface(c.mesh(), solutionSpace(c.mesh()));
+
+    const auto spacing = spacingFunction::New
+    (
+        surface,
+        dictionary(IStringStream("spacing fromMesh;")())
+    );
+
+    // Cells of 0.2 x 0.2 x 0.08 have a size of 0.147
+    EXPECT_NEAR((*spacing)(point(1, 1, 0.04)), 0.04, 1e-12);
+}
+
+
 TEST_F(SpacingFunction, fromMeshFollowsTheCells)
 {
     const auto spacing = make("spacing fromMesh;");
