@@ -69,24 +69,6 @@ Foam::SPH::signedDistance::nearest Foam::SPH::booleanDistance::find
 }
 
 
-bool Foam::SPH::booleanDistance::within
-(
-    const point& p,
-    const scalar distance
-) const
-{
-    for (const signedDistance* operand : operands_)
-    {
-        if (operand->within(p, distance))
-        {
-            return mag(find(p).distance) < distance;
-        }
-    }
-
-    return false;
-}
-
-
 bool Foam::SPH::booleanDistance::inside(const point& p) const
 {
     forAll(operands_, i)

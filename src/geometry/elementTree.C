@@ -46,14 +46,7 @@ public:
 
     virtual ~implementation() = default;
 
-    virtual label nearest
-    (
-        const point& p,
-        const label hint,
-        const point& hintPoint
-    ) const = 0;
-
-    virtual bool within(const point& p, const scalar distance) const = 0;
+    virtual label nearest(const point& p) const = 0;
 };
 
 
@@ -69,9 +62,6 @@ class boxTree
     Container shapes_;
     std::vector<label> elements_;
 
-    //- Shape of each element, -1 if left out
-    std::vector<label> shapeOfElement_;
-
     treeType tree_;
 
 public:
@@ -82,57 +72,29 @@ public:
         const sigFpe::ignore noTrapping;
 
         shapes_.reserve(shapes.size());
-        for (const auto& shape : shapes)
+        for (size_t i = 0; i < shapes.size(); ++i)
         {
-            const bool keep = !shape.is_degenerate();
-            shapeOfElement_.push_back(keep ? label(shapes_.size()) : -1);
-            if (keep)
+            if (!shapes[i].is_degenerate())
             {
-                elements_.push_back(shapeOfElement_.size() - 1);
-                shapes_.push_back(shape);
+                elements_.push_back(i);
+                shapes_.push_back(shapes[i]);
             }
         }
-
         tree_.rebuild(shapes_.begin(), shapes_.end());
         tree_.accelerate_distance_queries();
         tree_.build();
     }
 
-    virtual label nearest
-    (
-        const point& p,
-        const label hint,
-        const point& hintPoint
-    ) const
+    virtual label nearest(const point& p) const
     {
-        if (elements_.empty())
-        {
-            return -1;
-        }
-
-        const label start = hint < 0 ? -1 : shapeOfElement_[hint];
-
-        const auto found =
-            start < 0
-          ? tree_.closest_point_and_primitive(toPoint(p))
-          : tree_.closest_point_and_primitive
-            (
-                toPoint(p),
-                typename treeType::Point_and_primitive_id
-                (
-                    toPoint(hintPoint),
-                    shapes_.begin() + start
-                )
-            );
-
-        return elements_[found.second - shapes_.begin()];
-    }
-
-    virtual bool within(const point& p, const scalar distance) const
-    {
-        const kernel::Sphere_3 sphere(toPoint(p), distance*distance);
-
-        return !elements_.empty() && tree_.do_intersect(sphere);
+        return
+            elements_.empty()
+          ? -1
+          : elements_
+            [
+                tree_.closest_point_and_primitive(toPoint(p)).second
+              - shapes_.begin()
+            ];
     }
 };
 
@@ -151,7 +113,7 @@ public:
         points_(std::move(points))
     {}
 
-    virtual label nearest(const point& p, const label, const point&) const
+    virtual label nearest(const point& p) const
     {
         label found = -1;
         for (size_t i = 0; i < points_.size(); ++i)
@@ -167,13 +129,6 @@ public:
         }
 
         return found;
-    }
-
-    virtual bool within(const point& p, const scalar distance) const
-    {
-        const label i = nearest(p, -1, p);
-
-        return i >= 0 && mag(p.x() - points_[i].x()) < distance;
     }
 };
 
@@ -243,24 +198,9 @@ Foam::SPH::elementTree::~elementTree()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::SPH::elementTree::nearest
-(
-    const point& p,
-    const label hint,
-    const point& hintPoint
-) const
+Foam::label Foam::SPH::elementTree::nearest(const point& p) const
 {
-    return tree_->nearest(p, hint, hintPoint);
-}
-
-
-bool Foam::SPH::elementTree::within
-(
-    const point& p,
-    const scalar distance
-) const
-{
-    return tree_->within(p, distance);
+    return tree_->nearest(p);
 }
 
 

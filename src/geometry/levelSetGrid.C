@@ -9,28 +9,6 @@ License
 
 #include "levelSetGrid.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-Foam::boundBox wideBox
-(
-    const Foam::SPH::solutionSpace& space,
-    const Foam::boundBox& bounds,
-    const Foam::scalar band
-)
-{
-    return Foam::boundBox
-    (
-        space.toLocal(bounds.min() - band*Foam::vector::one),
-        space.toLocal(bounds.max() + band*Foam::vector::one)
-    );
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::levelSetGrid::levelSetGrid
@@ -41,41 +19,11 @@ Foam::SPH::levelSetGrid::levelSetGrid
     const scalar band
 )
 :
+    body_(body),
     space_(space),
-    bounds_(body.bounds()),
-    grid_
-    (
-        space.nDims(),
-        wideBox(space, body.bounds(), band),
-        spacing,
-        [&](const point& centre, const scalar halfDiagonal)
-        {
-            return body.within(space.position(centre), band + halfDiagonal);
-        }
-    ),
-    phi_(grid_.size()),
-    normal_(grid_.size()),
-    blockPhi_(grid_.nBlocks()),
-    blockNormal_(grid_.nBlocks())
-{
-    #pragma omp parallel for schedule(static, 64)
-    for (label node = 0; node < grid_.size(); ++node)
-    {
-        const point x(grid_.position(grid_.coordinates(node)));
-        const nearest found(body.find(space_.position(x)));
-        phi_[node] = found.distance;
-        normal_[node] = space_.toLocal(found.normal);
-    }
-
-    #pragma omp parallel for schedule(static, 64)
-    for (label block = 0; block < grid_.nBlocks(); ++block)
-    {
-        const point x(grid_.blockCentre(block));
-        const nearest found(body.find(space_.position(x)));
-        blockPhi_[block] = found.distance;
-        blockNormal_[block] = space_.toLocal(found.normal);
-    }
-}
+    origin_(space.toLocal(body.bounds().min() - band*vector::one)),
+    spacing_(spacing)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -85,45 +33,43 @@ Foam::SPH::signedDistance::nearest Foam::SPH::levelSetGrid::find
     const point& p
 ) const
 {
+    const label nDims = space_.nDims();
     const point x(space_.toLocal(p));
-    const bandGrid::location where(grid_.locate(x));
+
+    point lower(Zero);
+    vector weight(Zero);
+    for (label d = 0; d < nDims; ++d)
+    {
+        const scalar s = (x[d] - origin_[d])/spacing_;
+        lower[d] = origin_[d] + spacing_*floor(s);
+        weight[d] = s - floor(s);
+    }
 
     nearest result;
-    vector normal(Zero);
+    for (label corner = 0; corner < (1 << nDims); ++corner)
+    {
+        point node(lower);
+        scalar w = 1;
+        for (label d = 0; d < nDims; ++d)
+        {
+            const bool upper = corner & (1 << d);
+            node[d] += upper ? spacing_ : 0;
+            w *= upper ? weight[d] : 1 - weight[d];
+        }
 
-    if (where.node >= 0)
-    {
-        result.distance = grid_.interpolate<scalar>(phi_, where);
-        normal = grid_.interpolate<vector>(normal_, where);
-    }
-    else if (where.block >= 0)
-    {
-        normal = blockNormal_[where.block];
-        result.distance =
-            blockPhi_[where.block]
-          + (normal & (x - grid_.blockCentre(where.block)));
-    }
-    else
-    {
-        // Outside the box there is nothing of the body
-        const point nearestInBox
-        (
-            min
-            (
-                max(x, space_.toLocal(bounds_.min())),
-                space_.toLocal(bounds_.max())
-            )
-        );
-        result.distance = mag(x - nearestInBox);
-        normal = x - nearestInBox;
+        const nearest found(body_.find(space_.position(node)));
+        result.distance += w*found.distance;
+        result.normal += w*found.normal;
     }
 
     // On the medial axis the mean of the normals may vanish
-    const scalar magNormal = mag(normal);
-    normal = magNormal > SMALL ? normal/magNormal : vector(1, 0, 0);
-
-    result.normal = space_.toGlobal(normal);
-    result.hit = space_.position(x - result.distance*normal);
+    const scalar magNormal = mag(result.normal);
+    result.normal =
+        magNormal > SMALL
+      ? vector(result.normal/magNormal)
+      : space_.toGlobal(vector(1, 0, 0));
+    result.hit =
+        space_.position(x - result.distance*space_.toLocal(result.normal));
 
     return result;
 }

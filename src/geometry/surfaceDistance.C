@@ -176,21 +176,6 @@ bool Foam::SPH::surfaceDistance::enclosed(const point& x) const
 }
 
 
-Foam::label Foam::SPH::surfaceDistance::nearestElement(const point& x) const
-{
-    const label hint = nearby_->find(*tree_, x);
-    point hit(x);
-
-    if (hint >= 0)
-    {
-        vector normal;
-        nearestOnElement(hint, x, hit, normal);
-    }
-
-    return tree_->nearest(x, hint, hit);
-}
-
-
 Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
 (
     const point& x
@@ -200,7 +185,7 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
     point hit;
     vector normal;
 
-    const label elementi = nearestElement(x);
+    const label elementi = tree_->nearest(x);
 
     if (elementi < 0)
     {
@@ -278,18 +263,6 @@ Foam::SPH::surfaceDistance::surfaceDistance
     setNormals();
 
     tree_.reset(new elementTree(space_.nDims(), points_, elements_));
-    nearby_.reset
-    (
-        new nearestElementGrid
-        (
-            space_.nDims(),
-            boundBox
-            (
-                space_.toLocal(bounds_.min()),
-                space_.toLocal(bounds_.max())
-            )
-        )
-    );
 }
 
 
@@ -312,7 +285,7 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::find
 Foam::scalar Foam::SPH::surfaceDistance::magDistance(const point& p) const
 {
     const point x(space_.toLocal(p));
-    const label elementi = nearestElement(x);
+    const label elementi = tree_->nearest(x);
 
     if (elementi < 0)
     {
@@ -324,16 +297,6 @@ Foam::scalar Foam::SPH::surfaceDistance::magDistance(const point& p) const
     nearestOnElement(elementi, x, hit, normal);
 
     return space_.nDims() == 1 ? mag(x.x() - hit.x()) : mag(x - hit);
-}
-
-
-bool Foam::SPH::surfaceDistance::within
-(
-    const point& p,
-    const scalar distance
-) const
-{
-    return tree_->within(space_.toLocal(p), distance);
 }
 
 

@@ -33,7 +33,9 @@ typedef CGAL::Surface_mesh<kernel::Point_3> surfaceMesh;
 
 
 //- Fill the holes whose box is small with triangles around the mean of their
-//- vertices. \return number of filled ones
+//- vertices. \return number of filled ones.
+//  CGAL's triangulate_hole takes 27 s instead of .04 s for two wavy rims of
+//  8000 edges, and its lids, of least area, miss the volume by a tenth
 size_t fillHoles(surfaceMesh& mesh, const double maxSize)
 {
     std::vector<surfaceMesh::Halfedge_index> holes;

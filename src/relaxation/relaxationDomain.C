@@ -60,14 +60,7 @@ bool Foam::SPH::relaxationDomain::nearSolid
         box.max() += vector::one*distance;
 
         const point p(space.position(x));
-        if
-        (
-            box.contains(p)
-         && (
-                bodies[bodyi].surface->within(p, distance)
-             || bodies[bodyi].surface->distance(p) <= distance
-            )
-        )
+        if (box.contains(p) && bodies[bodyi].surface->distance(p) <= distance)
         {
             return true;
         }

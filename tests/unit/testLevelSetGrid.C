@@ -10,11 +10,9 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "bandGrid.H"
 #include "levelSetGrid.H"
 #include "surfaceDistance.H"
 #include "surfaceShapes.H"
-#include "testCase.H"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -70,41 +68,6 @@ TEST(LevelSetGrid, losesWhatIsThinnerThanItsSpacing)
     EXPECT_LT(plate.distance(inPlate), 0);
     EXPECT_GT(grid.distance(inPlate), 0);
     EXPECT_LT(grid.distance(point(0.1, 0.1, 0)), 0);
-}
-
-
-TEST(BandGrid, tooLargeGridsAreRefused)
-{
-    const auto message = [](const label nDims, const scalar spacing)
-    {
-        return errorMessage
-        (
-            [&]
-            {
-                bandGrid
-                (
-                    nDims,
-                    boundBox(point::zero, point::one),
-                    spacing,
-                    [](const point&, const scalar) { return true; }
-                );
-            }
-        );
-    };
-
-    EXPECT_EQ(message(3, 0.1), "");
-
-    const std::string cells(message(2, 1e-6));
-    EXPECT_NE(cells.find("spacing 1e-06 m"), std::string::npos) << cells;
-    EXPECT_NE(cells.find("sphMeshDict"), std::string::npos) << cells;
-
-    // 144^3 blocks of 9^3 nodes
-    if (sizeof(label) == 4)
-    {
-        const std::string nodes(message(3, 1/(8*143.5)));
-        EXPECT_NE(nodes.find("nodes"), std::string::npos) << nodes;
-        EXPECT_NE(nodes.find("sphMeshDict"), std::string::npos) << nodes;
-    }
 }
 
 
