@@ -59,13 +59,7 @@ void Foam::SPH::meshQuality::addTotalError()
     const scalar ratio = W.smoothingRatio();
 
     // Largest average volume of a particle: that of the better lattice
-    const scalar supremum = max
-    (
-        latticePattern(latticePattern::SQUARE, W.nDims())
-       .characteristicVolume(W, ratio),
-        latticePattern(latticePattern::HEXAGONAL, W.nDims())
-       .characteristicVolume(W, ratio)
-    );
+    const scalar supremum = latticePattern::largestVolume(W, ratio);
 
     scalar error = 0;
     scalar volume = 0;

@@ -22,6 +22,29 @@ Foam::SPH::latticePattern::patternTypeNames
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::SPH::latticePattern::patternType Foam::SPH::latticePattern::readType
+(
+    const dictionary& dict
+)
+{
+    const word type
+    (
+        dict.isDict("lattice")
+      ? dict.subDict("lattice").getOrDefault<word>("type", "square")
+      : dict.getOrDefault<word>("lattice", "square")
+    );
+
+    if (!patternTypeNames.found(type))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown lattice '" << type << "'. Valid lattices: "
+            << patternTypeNames.sortedToc() << exit(FatalIOError);
+    }
+
+    return patternTypeNames[type];
+}
+
+
 template<class Function>
 void Foam::SPH::latticePattern::forNeighbours
 (
@@ -102,6 +125,16 @@ Foam::SPH::latticePattern::latticePattern
 }
 
 
+Foam::SPH::latticePattern::latticePattern
+(
+    const dictionary& dict,
+    const label nDims
+)
+:
+    latticePattern(readType(dict), nDims)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::SPH::latticePattern::characteristicVolume
@@ -119,6 +152,20 @@ Foam::scalar Foam::SPH::latticePattern::characteristicVolume
     );
 
     return 1/sum;
+}
+
+
+Foam::scalar Foam::SPH::latticePattern::largestVolume
+(
+    const kernel& W,
+    const scalar h
+)
+{
+    return max
+    (
+        latticePattern(SQUARE, W.nDims()).characteristicVolume(W, h),
+        latticePattern(HEXAGONAL, W.nDims()).characteristicVolume(W, h)
+    );
 }
 
 

@@ -11,13 +11,9 @@ License
 #include "fluidDensity.H"
 #include "gradedStart.H"
 #include "latticeStart.H"
-#include "periodicImages.H"
 #include "particleRepair.H"
 #include "relaxation.H"
-#include "separateNoBooleanRelaxation.H"
 #include "spaceFillingCurve.H"
-#include "volFields.H"
-#include "OSspecific.H"
 #include "Random.H"
 #include "UIndirectList.H"
 #include "cpuTime.H"
@@ -41,134 +37,44 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::SPH::particleGenerator::readLattice()
+void Foam::SPH::particleGenerator::readJitter(const dictionary& dict)
 {
-    word type("square");
-
-    if (dict_.isDict("lattice"))
+    if (!dict.isDict("lattice"))
     {
-        const dictionary& dict = dict_.subDict("lattice");
-        type = dict.getOrDefault<word>("type", type);
-        jitter_ = dict.getOrDefault<scalar>("jitter", 0);
-        seed_ = dict.getOrDefault<label>("seed", 1);
-
-        if (jitter_ < 0 || jitter_ > 0.5)
-        {
-            FatalIOErrorInFunction(dict)
-                << "jitter " << jitter_ << " is outside the range 0 to 0.5"
-                << exit(FatalIOError);
-        }
-    }
-    else
-    {
-        type = dict_.getOrDefault<word>("lattice", type);
+        return;
     }
 
-    if (!latticePattern::patternTypeNames.found(type))
+    const dictionary& lattice = dict.subDict("lattice");
+    jitter_ = lattice.getOrDefault<scalar>("jitter", 0);
+    seed_ = lattice.getOrDefault<label>("seed", 1);
+
+    if (jitter_ < 0 || jitter_ > 0.5)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Unknown lattice '" << type << "'. Valid lattices: "
-            << latticePattern::patternTypeNames.sortedToc()
+        FatalIOErrorInFunction(lattice)
+            << "jitter " << jitter_ << " is outside the range 0 to 0.5"
             << exit(FatalIOError);
     }
-
-    pattern_.reset
-    (
-        new latticePattern
-        (
-            latticePattern::patternTypeNames[type],
-            space_.nDims()
-        )
-    );
 }
 
 
-void Foam::SPH::particleGenerator::setDomain()
+void Foam::SPH::particleGenerator::displace
+(
+    List<vector>& points,
+    scalarField& phi,
+    const scalarList& spacing
+) const
 {
-    const boundBox box(mesh_.bounds());
-    domain_.low = space_.toLocal(box.min());
-    domain_.high = space_.toLocal(box.max());
-    domain_.fluidVolume = gSum(mesh_.V())/space_.thickness();
-    domain_.minSpacing = spacing_->min();
-    domain_.wallDistance = pattern_->wallDistance();
+    Random random(seed_);
 
-    for (label d = 0; d < space_.nDims(); ++d)
+    forAll(points, i)
     {
-        const scalar width = domain_.high[d] - domain_.low[d];
-        if (spacing_->min() > width)
+        vector shift(Zero);
+        for (label d = 0; d < domain_.nDims(); ++d)
         {
-            FatalIOErrorInFunction(dict_)
-                << "The spacing " << spacing_->min()
-                << " is larger than the width " << width
-                << " of the fluid: reduce the entry spacing"
-                << exit(FatalIOError);
+            shift[d] = jitter_*spacing[i]*(2*random.sample01<scalar>() - 1);
         }
-    }
-
-    for (const vector& period : periodicTranslations(mesh_))
-    {
-        // From the low side to the high one, whichever patch comes first
-        const vector T(space_.toLocal(period));
-        const bool falls = (T & (domain_.high - domain_.low)) < 0;
-        domain_.translations.append(falls ? -T : T);
-    }
-    if (!spacing_->uniform())
-    {
-        domain_.spacing = [this](const point& p) { return (*spacing_)(p); };
-    }
-
-    region_.reset
-    (
-        new fluidRegion
-        (
-            surface_,
-            bodies_,
-            4*kernel_->support(spacing_->max())
-        )
-    );
-    const scalar overlap = region_->overlap(spacing_->min());
-    domain_.fluidVolume -= overlap;
-    filesCutMesh_ = overlap > 0;
-
-    const scalar ratio = kernel_->smoothingRatio();
-    domain_.bodies.append
-    ({
-        "fluid",
-        region_->bounded() ? &region_->distance() : nullptr,
-        ratio
-    });
-    for (const solidBody& body : bodies_)
-    {
-        domain_.bodies.append
-        ({
-            body.name(), &body.distance(), body.smoothingRatio()
-        });
-    }
-
-    const dictionary relaxation(dict_.subOrEmptyDict("relaxation"));
-    if
-    (
-        relaxationMethod::typeOf(relaxation)
-     == separateNoBooleanRelaxation::typeName
-    )
-    {
-        for (relaxationDomain::body& body : domain_.bodies)
-        {
-            if (body.surface)
-            {
-                grids_.append
-                (
-                    new levelSetGrid
-                    (
-                        *body.surface,
-                        space_,
-                        spacing_->min(),
-                        2*kernel_->support(spacing_->min())
-                    )
-                );
-                body.surface = &grids_.last();
-            }
-        }
+        points[i] += shift;
+        phi[i] += mag(shift);
     }
 }
 
@@ -185,7 +91,7 @@ Foam::SPH::particleSet Foam::SPH::particleGenerator::extract
     {
         if (particles.role[i] == bodyi)
         {
-            points.append(space_.position(particles.position(i)));
+            points.append(domain_.space.position(particles.position(i)));
             spacing.append(particles.spacing[i]);
         }
     }
@@ -208,23 +114,14 @@ Foam::SPH::particleGenerator::particleGenerator
     const dictionary& dict
 )
 :
-    mesh_(mesh),
     dict_(dict),
-    space_(mesh),
-    kernel_(kernel::New(dict.subOrEmptyDict("kernel"), space_.nDims())),
-    surface_(mesh, space_),
-    spacing_(spacingFunction::New(surface_, dict_)),
-    bodies_(surface_, dict_, kernel_->smoothingRatio()),
-    domain_{space_, *kernel_, Zero, Zero, {}, 0, {}, 0, 0.5, {}}
-{
-    readLattice();
-    bodies_.checkSize(*spacing_);
-    setDomain();
-    method_ = relaxationMethod::New
+    domain_(mesh, dict),
+    method_
     (
-        dict_.subOrEmptyDict("relaxation"),
-        domain_
-    );
+        relaxationMethod::New(dict.subOrEmptyDict("relaxation"), domain_)
+    )
+{
+    readJitter(dict);
 }
 
 
@@ -233,25 +130,26 @@ Foam::SPH::particleGenerator::particleGenerator
 Foam::scalar Foam::SPH::particleGenerator::particleBytes() const
 {
     // Measured: positions, lists of some 20 or 70 neighbours, areas
-    return space_.nDims() == 3 ? 6200 : 3000;
+    return domain_.nDims() == 3 ? 6200 : 3000;
 }
 
 
 void Foam::SPH::particleGenerator::checkMemory() const
 {
     const scalar least =
-        domain_.fluidVolume/domain_.volume(spacing_->max())*particleBytes();
+        domain_.fluidVolume/domain_.volume(domain_.maxSpacing())*particleBytes();
     const scalar memory =
         scalar(sysconf(_SC_PHYS_PAGES))*sysconf(_SC_PAGE_SIZE);
 
     if (least > memory)
     {
         FatalIOErrorInFunction(dict_)
-            << "The spacing " << spacing_->max() << " m gives "
+            << "The spacing " << domain_.maxSpacing() << " m gives "
             << least/particleBytes() << " particles, which need "
             << label(least/1073741824) << " GiB of memory; this machine has "
-            << label(memory/1073741824) << ". Is the mesh, of bounds "
-            << mesh_.bounds() << ", in metres?" << exit(FatalIOError);
+            << label(memory/1073741824) << ". Is the mesh, of span "
+            << domain_.high - domain_.low << ", in metres?"
+            << exit(FatalIOError);
     }
 }
 
@@ -261,11 +159,11 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
     scalar n = 0;
     scalar nMoving = 0;
     label nCells = 0;
-    scalar dp = spacing_->min();
+    scalar dp = domain_.minSpacing;
 
     if (domain_.uniform())
     {
-        const latticeStart lattice(domain_, *pattern_);
+        const latticeStart lattice(domain_, domain_.pattern);
         dp = lattice.spacing();
         nCells = lattice.nNearCells();
         n = domain_.fluidVolume/domain_.volume(dp);
@@ -275,12 +173,12 @@ void Foam::SPH::particleGenerator::estimate(Ostream& os) const
     }
     else
     {
-        const gradedStart cells(domain_, spacing_->max());
+        const gradedStart cells(domain_, domain_.maxSpacing());
         nCells = cells.nCells();
         n = nMoving = cells.nFluidParticles();
     }
 
-    const bool is3D = space_.nDims() == 3;
+    const bool is3D = domain_.nDims() == 3;
 
     // Per particle, measured: closing and writing, and the whole relaxation
     const scalar seconds =
@@ -301,20 +199,20 @@ Foam::SPH::particleStart Foam::SPH::particleGenerator::makeStart()
     const staticSupport support
     (
         domain_,
-        *pattern_,
+        domain_.pattern,
         method_->sharedInterfaces()
     );
 
     particleStart start;
     if (domain_.uniform())
     {
-        const latticeStart lattice(domain_, *pattern_);
+        const latticeStart lattice(domain_, domain_.pattern);
         lattice.generate(support, start);
         domain_.minSpacing = lattice.spacing();
     }
     else
     {
-        gradedStart(domain_, spacing_->max()).generate(support, start);
+        gradedStart(domain_, domain_.maxSpacing()).generate(support, start);
     }
 
     return start;
@@ -366,33 +264,22 @@ void Foam::SPH::particleGenerator::generate()
     );
     List<vector> points(reordered(start.points, order));
     scalarField phi(reordered(start.phi, order));
+    const scalarList spacing(reordered(start.spacing, order));
     if (jitter_ > 0)
     {
-        Random random(seed_);
-        forAll(points, i)
-        {
-            vector shift(Zero);
-            for (label d = 0; d < space_.nDims(); ++d)
-            {
-                shift[d] =
-                    jitter_*start.spacing[order[i]]
-                   *(2*random.sample01<scalar>() - 1);
-            }
-            points[i] += shift;
-            phi[i] += mag(shift);
-        }
+        displace(points, phi, spacing);
     }
 
     particleSystem particles
     (
-        space_.nDims(),
+        domain_.nDims(),
         domain_.bodies.size(),
         domain_.translations
     );
     particles.setParticles
     (
         points,
-        reordered(start.spacing, order),
+        spacing,
         reordered(start.body, order),
         phi,
         jitter_ > 0
@@ -408,7 +295,7 @@ void Foam::SPH::particleGenerator::generate()
     );
 
     Info<< "    particles: " << particles.nParticles()
-        << "  least spacing: " << min(start.spacing) << nl << nl
+        << "  least spacing: " << min(spacing) << nl << nl
         << "Relaxation, " << method_->type() << endl;
 
     monitor_.reset
@@ -431,20 +318,13 @@ void Foam::SPH::particleGenerator::generate()
         << 1e6*seconds/max(nParticleIterations_, scalar(1))
         << " us per particle iteration" << endl;
 
-    const fileName directory
-    (
-        mesh_.time().path()/"postProcessing"/"sphMesh"
-    );
-    mkDir(directory);
-    monitor_->write(directory/"convergence.csv");
-
     fluid_ = extract(particles, 0);
     fluid_.density = fluidDensity(domain_, *method_, particles);
     Info<< "Densities from " << min(fluid_.density) << " to "
         << max(fluid_.density) << endl;
-    if (filesCutMesh_)
+    if (filesCutMesh())
     {
-        fluid_.volume = domain_.fluidVolume*space_.thickness();
+        fluid_.volume = domain_.fluidVolume*domain_.space.thickness();
     }
     solids_.setSize(domain_.bodies.size() - 1);
     forAll(solids_, solidi)

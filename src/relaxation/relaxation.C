@@ -146,15 +146,12 @@ void Foam::SPH::relaxation::addRows
 }
 
 
-Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
+void Foam::SPH::relaxation::sumGradients
+(
+    const label bodyi,
+    const labelUList& targets
+)
 {
-    const DynamicList<label>& targets = targets_[bodyi];
-
-    if (targets.empty())
-    {
-        return 0;
-    }
-
     addRows(bodyi, targets);
 
     gradientSums
@@ -167,6 +164,19 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
         targets,
         sums_
     );
+}
+
+
+Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
+{
+    const DynamicList<label>& targets = targets_[bodyi];
+
+    if (targets.empty())
+    {
+        return 0;
+    }
+
+    sumGradients(bodyi, targets);
     method_.addBoundaryTerm(bodyi, particles_, targets, sums_);
 
     const scalar step =
@@ -322,13 +332,7 @@ Foam::scalar Foam::SPH::relaxation::totalError()
     volumeFractions(particles_, list_, W, ratio, 1, fluid, fractions);
 
     // Largest average volume of a particle: that of the better lattice
-    const scalar vSup = max
-    (
-        latticePattern(latticePattern::SQUARE, W.nDims())
-       .characteristicVolume(W, ratio),
-        latticePattern(latticePattern::HEXAGONAL, W.nDims())
-       .characteristicVolume(W, ratio)
-    );
+    const scalar vSup = latticePattern::largestVolume(W, ratio);
 
     scalar error = 0;
     scalar volume = 0;

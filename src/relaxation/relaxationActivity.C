@@ -115,17 +115,7 @@ void Foam::SPH::relaxation::dropUndisturbed()
     {
         const DynamicList<label>& targets = untouched[bodyi];
 
-        addRows(bodyi, targets);
-        gradientSums
-        (
-            particles_,
-            list_,
-            domain_.W,
-            domain_.bodies[bodyi].smoothingRatio,
-            domain_.uniform(),
-            targets,
-            sums_
-        );
+        sumGradients(bodyi, targets);
         forAll(targets, t)
         {
             const label i = targets[t];

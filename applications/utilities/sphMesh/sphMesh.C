@@ -112,6 +112,9 @@ void generateParticles
     const fvMesh& mesh = zone.mesh();
 
     generator.generate();
+    const fileName directory(mesh.time().path()/"postProcessing"/"sphMesh");
+    mkDir(directory);
+    generator.monitor().write(directory/"convergence.csv");
     if (generator.monitor().history().size())
     {
         properties.add
