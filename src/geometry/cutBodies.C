@@ -97,8 +97,8 @@ bool Foam::SPH::cutBodies::amongCells
     {
         const bool here =
             meshBox.contains(p)
-         && region.distance().inside(p)
-         && region.distance().distance(p) < -small;
+         && region.inside(p)
+         && region.distance(p) < -small;
 
         nIn += here;
         (here ? in : out) = p;
@@ -119,7 +119,7 @@ bool Foam::SPH::cutBodies::amongCells
     if (nIn > 0 && (nIn < surface.points().size() || crossed))
     {
         const point& p = crossed ? crossing : out;
-        const label patchi = region.distance().find(p).patchi;
+        const label patchi = region.find(p).patchi;
 
         FatalIOErrorInFunction(dict)
             << "Body " << dict.dictName() << " leaves the mesh at " << p;

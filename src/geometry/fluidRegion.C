@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluidRegion.H"
-#include "overlapVolume.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -16,28 +15,106 @@ namespace Foam
 {
 namespace SPH
 {
-    //- A region without any boundary: everything is deep inside
-    class unbounded
-    :
-        public signedDistance
+    //- No point of the body's surface lies outside the region
+    static bool whollyInside
+    (
+        const signedDistance& region,
+        const orientedSurface& surface,
+        const scalar tolerance
+    )
     {
-    public:
-
-        virtual nearest find(const point& p) const
+        for (const point& p : surface.points())
         {
-            nearest n;
-            n.distance = -GREAT;
-            n.hit = p;
-            return n;
+            if (region.distance(p) > tolerance)
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    //- Volume of the common part of a body and a region, in local units
+    static scalar overlapVolume
+    (
+        const solutionSpace& space,
+        const signedDistance& region,
+        const solidBody& body,
+        const scalar spacing
+    )
+    {
+        const scalar tolerance = 1e-6*spacing;
+
+        if (whollyInside(region, body.surface(), tolerance))
+        {
+            return body.surface().volume();
         }
 
-        virtual boundBox bounds() const
-        {
-            return boundBox::greatBox;
-        }
-    };
+        // The common part of both boxes, in cells of a quarter of the spacing
+        // or as many as are done in seconds
+        const scalar mostCells = 4e6;
+        const label nDims = space.nDims();
+        const boundBox regionBox(region.bounds());
+        const boundBox bodyBox(body.surface().bounds());
+        const vector low
+        (
+            space.toLocal(max(regionBox.min(), bodyBox.min()))
+        );
+        const vector span
+        (
+            space.toLocal(min(regionBox.max(), bodyBox.max())) - low
+        );
 
-    static const unbounded everywhere;
+        scalar boxVolume = 1;
+        for (label d = 0; d < nDims; ++d)
+        {
+            boxVolume *= max(span[d], scalar(0));
+        }
+        if (boxVolume <= 0)
+        {
+            return 0;
+        }
+
+        const scalar edge = max
+        (
+            0.25*spacing, pow(boxVolume/mostCells, 1.0/nDims)
+        );
+        label n[3] = {1, 1, 1};
+        for (label d = 0; d < nDims; ++d)
+        {
+            n[d] = label(span[d]/edge) + 1;
+        }
+
+        label count = 0;
+        #pragma omp parallel for reduction(+: count) schedule(dynamic, 16)
+        for (label jk = 0; jk < n[1]*n[2]; ++jk)
+        {
+            for (label i = 0; i < n[0]; ++i)
+            {
+                const vector fraction
+                (
+                    (i + 0.5)/n[0], (jk % n[1] + 0.5)/n[1], (jk/n[1] + 0.5)/n[2]
+                );
+                vector x(low);
+                for (label d = 0; d < nDims; ++d)
+                {
+                    x[d] += fraction[d]*span[d];
+                }
+                const point p(space.position(x));
+
+                // A common surface does not count
+                if
+                (
+                    body.distance().distance(p) < -tolerance
+                 && region.distance(p) < -tolerance
+                )
+                {
+                    ++count;
+                }
+            }
+        }
+
+        return boxVolume*count/(scalar(n[0])*n[1]*n[2]);
+    }
 }
 }
 
@@ -69,35 +146,60 @@ Foam::SPH::fluidRegion::fluidRegion
             fileBodies_.append(&body);
         }
     }
-
-    if (fileBodies_.size())
-    {
-        List<const signedDistance*> operands(1, &distance());
-        for (const solidBody* body : fileBodies_)
-        {
-            operands.append(&body->distance());
-        }
-        subtracted_.reset
-        (
-            new booleanDistance(booleanDistance::operation::subtract, operands)
-        );
-    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-const Foam::SPH::signedDistance& Foam::SPH::fluidRegion::distance() const
+Foam::SPH::signedDistance::nearest Foam::SPH::fluidRegion::find
+(
+    const point& p
+) const
 {
-    if (subtracted_.valid())
-    {
-        return *subtracted_;
-    }
+    nearest result;
     if (patches_.valid())
     {
-        return *patches_;
+        result = patches_->find(p);
     }
-    return everywhere;
+    else
+    {
+        result.distance = -GREAT;
+        result.hit = p;
+    }
+
+    for (const solidBody* body : fileBodies_)
+    {
+        // Outside its box the body is at least as far as the box
+        const boundBox box(body->distance().bounds());
+        if (-mag(p - min(max(p, box.min()), box.max())) < result.distance)
+        {
+            continue;
+        }
+
+        nearest other(body->distance().find(p));
+        if (-other.distance > result.distance)
+        {
+            other.distance = -other.distance;
+            other.normal = -other.normal;
+            result = other;
+        }
+    }
+
+    return result;
+}
+
+
+bool Foam::SPH::fluidRegion::inside(const point& p) const
+{
+    for (const solidBody* body : fileBodies_)
+    {
+        if (body->distance().inside(p))
+        {
+            return false;
+        }
+    }
+
+    return !patches_.valid() || patches_->inside(p);
 }
 
 

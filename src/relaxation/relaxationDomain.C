@@ -48,7 +48,7 @@ void Foam::SPH::relaxationDomain::setBodies(const bool onGrids)
     bodies.append
     ({
         "fluid",
-        region_.bounded() ? &region_.distance() : nullptr,
+        region_.bounded() ? &region_ : nullptr,
         W.smoothingRatio()
     });
     for (const solidBody& solid : solids_)

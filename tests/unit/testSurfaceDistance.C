@@ -11,9 +11,10 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "booleanDistance.H"
+#include "fluidRegion.H"
 #include "surfaceDistance.H"
 #include "surfaceShapes.H"
+#include "testCase.H"
 #include "mathematicalConstants.H"
 
 #include <algorithm>
@@ -401,37 +402,47 @@ TEST(SurfaceDistance, boxesThatTouchInAnEdgeKeepTheirSign)
 
 // * * * * * * * * * * * * * * * * Combinations  * * * * * * * * * * * * * * //
 
-TEST(BooleanDistance, operationsActOnTheSigns)
+TEST(FluidRegion, isTheMeshLessTheBodiesFromFiles)
 {
-    const surfaceDistance big(polygon({circle(1, 200)}));
-    const surfaceDistance small(polygon({circle(0.5, 200, point(1, 0, 0))}));
-    const List<const signedDistance*> both({&big, &small});
-
-    typedef booleanDistance::operation operation;
-    const booleanDistance unite(operation::unite, both);
-    const booleanDistance intersect(operation::intersect, both);
-    const booleanDistance subtract(operation::subtract, both);
+    testCase square(testCase::layout{});
+    const solutionSpace space(square.mesh());
+    const patchSurface patches(square.mesh(), space);
+    PtrList<solidBody> bodies;
+    bodies.append
+    (
+        new solidBody
+        (
+            "disc",
+            polygon({circle(0.5, 400, point(1, 0.5, 0))}),
+            labelList(),
+            1
+        )
+    );
+    const fluidRegion fluid(patches, bodies, 1);
+    EXPECT_TRUE(fluid.bounded());
 
     std::mt19937 random(3);
-    std::uniform_real_distribution<scalar> coordinate(-1.5, 1.5);
+    std::uniform_real_distribution<scalar> coordinate(-0.5, 1.5);
     for (label i = 0; i < 1000; ++i)
     {
         const point p(coordinate(random), coordinate(random), 0);
-        const bool inBig = big.distance(p) < 0;
-        const bool inSmall = small.distance(p) < 0;
+        const scalar toDisc = mag(p - point(1, 0.5, 0)) - 0.5;
+        const bool inSquare = boundBox(point::zero, point::one).contains(p);
 
-        EXPECT_EQ(unite.distance(p) < 0, inBig || inSmall);
-        EXPECT_EQ(intersect.distance(p) < 0, inBig && inSmall);
-        EXPECT_EQ(subtract.distance(p) < 0, inBig && !inSmall);
-        EXPECT_EQ(unite.inside(p), inBig || inSmall);
-        EXPECT_EQ(intersect.inside(p), inBig && inSmall);
-        EXPECT_EQ(subtract.inside(p), inBig && !inSmall);
+        if (mag(toDisc) > 1e-4)
+        {
+            EXPECT_EQ(fluid.distance(p) < 0, inSquare && toDisc > 0);
+            EXPECT_EQ(fluid.inside(p), inSquare && toDisc > 0);
+        }
     }
 
     // Out of what is left means into what was taken away
-    const auto cut = subtract.find(point(0.4, 0, 0));
-    EXPECT_NEAR(cut.distance, -0.1, 1e-4);
+    const auto cut = fluid.find(point(0.45, 0.5, 0));
+    EXPECT_NEAR(cut.distance, -0.05, 1e-4);
     EXPECT_NEAR(cut.normal.x(), 1, 1e-3);
+
+    // Half of the disc
+    EXPECT_NEAR(fluid.overlap(0.01), pi/8, 2e-3);
 }
 
 

@@ -97,10 +97,7 @@ int main(int argc, char *argv[])
         bodies.valid() ? *bodies : none,
         particles.W().support(max(particles.spacing()))
     );
-    const SPH::meshQuality quality
-    (
-        filled, particles, solids, fluid.distance()
-    );
+    const SPH::meshQuality quality(filled, particles, solids, fluid);
 
     Info<< "Time = " << runTime.timeName() << nl << nl
         << "Particle mesh" << nl
