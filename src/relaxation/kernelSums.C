@@ -10,6 +10,8 @@ License
 #include "kernelSums.H"
 #include "shapedKernel.H"
 
+#include <type_traits>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -98,34 +100,6 @@ namespace SPH
             sums[t] = vector(sx, sy, sz);
         }
     }
-
-
-    template<class Shape, bool uniform>
-    static void gradientLoop
-    (
-        const particleSystem& particles,
-        const verletList& list,
-        const kernel& W,
-        const scalar smoothingRatio,
-        const labelUList& targets,
-        vectorField& sums
-    )
-    {
-        switch (particles.nDims())
-        {
-            case 1:
-                gradientLoop<1, Shape, uniform>
-                    (particles, list, W, smoothingRatio, targets, sums);
-                break;
-            case 2:
-                gradientLoop<2, Shape, uniform>
-                    (particles, list, W, smoothingRatio, targets, sums);
-                break;
-            default:
-                gradientLoop<3, Shape, uniform>
-                    (particles, list, W, smoothingRatio, targets, sums);
-        }
-    }
 }
 }
 
@@ -151,15 +125,27 @@ void Foam::SPH::gradientSums
         [&](auto shape)
         {
             typedef decltype(shape) Shape;
-            if (uniform)
+
+            const auto loop = [&](auto dims)
             {
-                gradientLoop<Shape, true>
-                    (particles, list, W, smoothingRatio, targets, sums);
-            }
-            else
+                constexpr int nDims = decltype(dims)::value;
+                if (uniform)
+                {
+                    gradientLoop<nDims, Shape, true>
+                        (particles, list, W, smoothingRatio, targets, sums);
+                }
+                else
+                {
+                    gradientLoop<nDims, Shape, false>
+                        (particles, list, W, smoothingRatio, targets, sums);
+                }
+            };
+
+            switch (particles.nDims())
             {
-                gradientLoop<Shape, false>
-                    (particles, list, W, smoothingRatio, targets, sums);
+                case 1: loop(std::integral_constant<int, 1>()); break;
+                case 2: loop(std::integral_constant<int, 2>()); break;
+                default: loop(std::integral_constant<int, 3>());
             }
         }
     );

@@ -136,15 +136,16 @@ Foam::scalar Foam::SPH::particleGenerator::particleBytes() const
 
 void Foam::SPH::particleGenerator::checkMemory() const
 {
+    const scalar dp = domain_.maxSpacing();
     const scalar least =
-        domain_.fluidVolume/domain_.volume(domain_.maxSpacing())*particleBytes();
+        domain_.fluidVolume/domain_.volume(dp)*particleBytes();
     const scalar memory =
         scalar(sysconf(_SC_PHYS_PAGES))*sysconf(_SC_PAGE_SIZE);
 
     if (least > memory)
     {
         FatalIOErrorInFunction(dict_)
-            << "The spacing " << domain_.maxSpacing() << " m gives "
+            << "The spacing " << dp << " m gives "
             << least/particleBytes() << " particles, which need "
             << label(least/1073741824) << " GiB of memory; this machine has "
             << label(memory/1073741824) << ". Is the mesh, of span "
