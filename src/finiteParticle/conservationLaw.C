@@ -331,34 +331,26 @@ Foam::label Foam::SPH::conservationLaw::dropReconstruction()
         }
     };
 
-    labelList failed(failed_.size());
-    forAll(failed, i)
-    {
-        failed[i] = failed_[i];
-    }
-    if (Pstream::parRun())
-    {
-        particles_.halo().distribute(failed);
-    }
-
+    slicedField failed(1, haloExchange::nSlices(particles_));
     forAll(failed_, i)
     {
-        if (failed_[i])
-        {
-            drop(i);
-        }
+        failed[0][i] = failed_[i];
     }
-    forAll(particles_.owner(), pairi)
+    halo_.start(failed.components());
+    halo_.finish(failed.components());
+
+    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
     {
-        const label i = particles_.owner()[pairi];
-        const label j = particles_.neighbour()[pairi];
-        if (failed[i] && j < failed_.size())
+        for (const pairSlices::rows& rows : pairs_.all(slice))
         {
-            drop(j);
-        }
-        if (failed[j])
-        {
-            drop(i);
+            for (label e = rows.begin*nLanes; e < rows.end*nLanes; ++e)
+            {
+                const label i = slice*nLanes + e % nLanes;
+                if (failed[0][i] + failed[0][rows.neighbour[e]] > 0)
+                {
+                    drop(i);
+                }
+            }
         }
     }
     failed_ = false;

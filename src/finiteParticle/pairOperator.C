@@ -44,6 +44,16 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
 
 
 template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::padHalo()
+{
+    for (label i = Q_.size(); i < W_.size(); ++i)
+    {
+        save(load(W_, 0), W_, i);
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
 {
     sleeping_.update();
@@ -123,12 +133,12 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradientsSent()
 
 
 template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setRates
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setFluxes
 (
     const labelUList& all
 )
 {
-    const labelUList& slices = sleeping_.rates(all, R_);
+    const labelUList& slices = sleeping_.fluxes(all, R_);
     label nFallbacks = 0;
 
     #pragma omp parallel for reduction(+:nFallbacks)
@@ -170,7 +180,8 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
     (
         Limiter::linear ? nVars*nDims : 0, haloExchange::nSlices(particles_)
     ),
-    gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr)
+    gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr),
+    fluxes_(nVars, pairs_.nRows())
 {}
 
 
@@ -205,6 +216,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setPrimitive
         save(values, W_, i);
         save(flux_.conserved(values), Q_, i);
     }
+    padHalo();
     slicesCurrent_ = false;
     limitsCurrent_ = false;
 }
@@ -226,6 +238,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setConserved
         save(values, Q_, i);
         save(flux_.primitive(values), W_, i);
     }
+    padHalo();
     slicesCurrent_ = false;
     limitsCurrent_ = false;
 }
@@ -253,10 +266,20 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
     {
         setGradients();
     }
-    setRates(pairs_.innerSlices());
+    setFluxes(pairs_.innerSlices());
     halo_.finish(twoExchanges ? gradientsSent() : W_.components());
     sleeping_.updateHalo();
-    setRates(pairs_.outerSlices());
+    setFluxes(pairs_.outerSlices());
+    setFluxes(pairs_.haloSlices());
+
+    #pragma omp parallel for
+    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
+    {
+        if (!sleeping_.isStillSlice(slice))
+        {
+            addBackwardFluxes(slice);
+        }
+    }
 
     const label nOwners = faces_.owners().size();
 

@@ -21,10 +21,10 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 {
     const Flux flux(flux_);
     const label i0 = slice*nLanes;
-    const int* neighbour = pairs_.neighbour();
-    const scalar* areas = pairs_.area();
-    const scalar* gradWeights = pairs_.gradWeight();
+    const pairSlices::rows rows = pairs_.forward(slice);
+    const scalar* geometry = pairs_.geometry().data();
     const scalar* codes = sleeping_.code();
+    scalar* fluxes = fluxes_.data();
 
     const scalar* W[nVars];
     const scalar* G[nVars*nDims];
@@ -36,16 +36,6 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             G[v*nDims + d] = G_[v*nDims + d];
         }
     }
-    const scalar* normals[nDims];
-    const scalar* deltas[nDims];
-    const scalar* skews[nDims];
-    for (int d = 0; d < nDims; ++d)
-    {
-        normals[d] = pairs_.n(d);
-        deltas[d] = pairs_.delta(d);
-        skews[d] = pairs_.skew(d);
-    }
-
     scalar rate[nVars][nLanes] = {};
     scalar fallback[nLanes] = {};
 
@@ -54,19 +44,18 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     const auto addPair = [&](const label row, const label lane)
     __attribute__((always_inline))
     {
-        const std::size_t e = std::size_t(row)*nLanes + lane;
         const label i = i0 + lane;
-        const label j = neighbour[e];
-        const scalar area = areas[e];
-        const scalar sign = std::copysign(scalar(1), area);
-        const bool atOwner = sign > 0;
+        const label j = rows.neighbour[row*nLanes + lane];
 
+        const scalar* g =
+            geometry + std::size_t(row)*nGeometry*nLanes + lane;
+        const scalar area = g[nDims*nLanes];
         vec n;
         vec delta;
         for (int d = 0; d < nDims; ++d)
         {
-            n[d] = normals[d][e];
-            delta[d] = deltas[d][e];
+            n[d] = g[d*nLanes];
+            delta[d] = g[(nDims + 1 + d)*nLanes];
         }
 
         vars I;
@@ -77,8 +66,20 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             J[v] = W[v][j];
         }
 
-        vars stateI(I);
-        vars stateJ(J);
+        const auto meanGradient = [&](const int v, const int d)
+        {
+            if constexpr (Limiter::linear)
+            {
+                return 0.5*(G[v*nDims + d][i] + G[v*nDims + d][j]);
+            }
+            else
+            {
+                return scalar(0);
+            }
+        };
+
+        vars L(I);
+        vars R(J);
         if constexpr (Limiter::linear)
         {
             vars stepI(vars::zero());
@@ -87,37 +88,32 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             {
                 for (int d = 0; d < nDims; ++d)
                 {
-                    const scalar half = 0.5*sign*delta[d];
-                    const scalar skew = skews[d][e];
+                    const scalar half = 0.5*delta[d];
+                    const scalar skew = g[(2*nDims + 1 + d)*nLanes];
                     stepI[v] += G[v*nDims + d][i]*(skew + half);
                     stepJ[v] += G[v*nDims + d][j]*(skew - half);
                 }
             }
-            stateI = flux.template limitedState<Limiter>(I, J, stepI);
-            stateJ = flux.template limitedState<Limiter>(J, I, stepJ);
+            flux.template limitedStates<Limiter>(I, J, stepI, stepJ, L, R);
 
             if constexpr (Flux::damped)
             {
                 scalar divU = 0;
-                scalar magSqrDelta = 0;
                 for (int d = 0; d < nDims; ++d)
                 {
-                    const int c = (1 + d)*nDims + d;
-                    divU += 0.5*(G[c][i] + G[c][j]);
-                    magSqrDelta += delta[d]*delta[d];
+                    divU += meanGradient(1 + d, d);
                 }
                 const scalar pressure =
-                    flux.dampingPressure(divU, std::sqrt(magSqrDelta));
-                stateI[0] += pressure;
-                stateJ[0] += pressure;
+                    flux.dampingPressure(divU, std::sqrt(dot(delta, delta)));
+                L[0] += pressure;
+                R[0] += pressure;
             }
 
-            const bool physical =
-                flux.physical(stateI) & flux.physical(stateJ);
+            const bool physical = flux.physical(L) & flux.physical(R);
             for (int v = 0; v < nVars; ++v)
             {
-                stateI[v] = physical ? stateI[v] : I[v];
-                stateJ[v] = physical ? stateJ[v] : J[v];
+                L[v] = physical ? L[v] : I[v];
+                R[v] = physical ? R[v] : J[v];
             }
             fallback[lane] += (physical | (j == i)) ? 0 : 1;
         }
@@ -130,66 +126,35 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             for (int v = 0; v < nVars; ++v)
             {
                 const scalar undisturbed = useI ? I[v] : J[v];
-                stateI[v] = still ? undisturbed : stateI[v];
-                stateJ[v] = still ? undisturbed : stateJ[v];
+                L[v] = still ? undisturbed : L[v];
+                R[v] = still ? undisturbed : R[v];
             }
         }
 
-        vars L;
-        vars R;
-        for (int v = 0; v < nVars; ++v)
-        {
-            L[v] = atOwner ? stateI[v] : stateJ[v];
-            R[v] = atOwner ? stateJ[v] : stateI[v];
-        }
-
-        const vars F(flux.pairFlux(L, R, I, n));
-        for (int v = 0; v < nVars; ++v)
-        {
-            rate[v][lane] -= area*F[v];
-        }
-
+        vars viscous(vars::zero());
         if constexpr (Viscous)
         {
-            vars owner;
-            vars other;
-            for (int v = 0; v < nVars; ++v)
-            {
-                owner[v] = atOwner ? I[v] : J[v];
-                other[v] = atOwner ? J[v] : I[v];
-            }
-
-            const auto meanGradient = [&](const int v, const int d)
-            {
-                if constexpr (Limiter::linear)
-                {
-                    return
-                        0.5*(G[v*nDims + d][i] + G[v*nDims + d][j]);
-                }
-                else
-                {
-                    return scalar(0);
-                }
-            };
-
-            vars viscous(vars::zero());
+            // The area is chosen and not the flux: so it rounds the same with
+            // and without sleep
             flux.addViscous
             (
-                owner, other, meanGradient,
-                n, sign*area, delta, gradWeights[e],
-                viscous
+                I, J, meanGradient, n, still ? 0 : area, delta, viscous
             );
+        }
 
-            // A product, which rounds the same with and without sleep
-            const scalar factor = still ? 0 : sign;
-            for (int v = 0; v < nVars; ++v)
-            {
-                rate[v][lane] -= factor*viscous[v];
-            }
+        // One flux for both, less that of each one's own state
+        const auto face(flux.crossing(L, R, n));
+        const vars outOfI(flux.difference(face, I, n));
+        const vars intoJ(flux.difference(face, J, n));
+        for (int v = 0; v < nVars; ++v)
+        {
+            rate[v][lane] -= area*outOfI[v] + viscous[v];
+            fluxes[(std::size_t(row)*nVars + v)*nLanes + lane] =
+                area*intoJ[v] + viscous[v];
         }
     };
 
-    for (label row = pairs_.start(slice); row < pairs_.start(slice + 1); ++row)
+    for (label row = rows.begin; row < rows.end; ++row)
     {
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
@@ -198,15 +163,60 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         }
     }
 
+    // Halo particles get theirs on their rank
+    if (slice >= pairs_.nSlices())
+    {
+        return 0;
+    }
+
     for (int v = 0; v < nVars; ++v)
     {
-        scalar* R = R_[v] + i0;
+        std::copy_n(rate[v], nLanes, R_[v] + i0);
+    }
 
+    label nFallbacks = 0;
+    for (label lane = 0; lane < nLanes; ++lane)
+    {
+        nFallbacks += label(fallback[lane]);
+    }
+    return nFallbacks;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
+inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addBackwardFluxes
+(
+    const label slice
+)
+{
+    const label i0 = slice*nLanes;
+    const pairSlices::rows rows = pairs_.backward(slice);
+    const int* entry = pairs_.entry();
+    const scalar* fluxes = fluxes_.data();
+
+    scalar rate[nVars][nLanes];
+    for (int v = 0; v < nVars; ++v)
+    {
+        std::copy_n(R_[v] + i0, nLanes, rate[v]);
+    }
+
+    for (label row = rows.begin; row < rows.end; ++row)
+    {
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
         {
-            R[lane] = rate[v][lane];
+            const std::size_t first =
+                rowField::start(entry[row*nLanes + lane], nVars);
+            for (int v = 0; v < nVars; ++v)
+            {
+                rate[v][lane] += fluxes[first + v*nLanes];
+            }
         }
+    }
+
+    for (int v = 0; v < nVars; ++v)
+    {
+        std::copy_n(rate[v], nLanes, R_[v] + i0);
     }
 
     if (!closed_)
@@ -218,23 +228,13 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             {
                 a[d] = residualArea_[d][i];
             }
-            const vars F(flux.flux(load(W_, i), a));
+            const vars F(flux_.flux(load(W_, i), a));
             for (int v = 0; v < nVars; ++v)
             {
                 R_[v][i] -= F[v];
             }
         }
     }
-
-    label nFallbacks = 0;
-    if constexpr (Limiter::linear)
-    {
-        for (label lane = 0; lane < nLanes; ++lane)
-        {
-            nFallbacks += label(fallback[lane]);
-        }
-    }
-    return nFallbacks;
 }
 
 
@@ -318,7 +318,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::reflectedFlux
 
     return totalFlux<nDims>
     (
-        flux_.pairFlux(L, solid, I, n), flux_.flux(I, n), flux_.massFactor()
+        pairFlux(flux_, L, solid, I, n), flux_.flux(I, n), flux_.massFactor()
     );
 }
 

@@ -18,40 +18,65 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
 )
 {
     const label i0 = slice*nLanes;
-    const int* neighbour = pairs_.neighbour();
-    const scalar* area = pairs_.area();
 
     const scalar* W[nVars];
     for (int v = 0; v < nVars; ++v)
     {
         W[v] = W_[v];
     }
-    const scalar* n[nDims];
-    for (int d = 0; d < nDims; ++d)
-    {
-        n[d] = pairs_.n(d);
-    }
 
     scalar sum[nVars*nDims][nLanes] = {};
 
-    for (label row = pairs_.start(slice); row < pairs_.start(slice + 1); ++row)
+    // A pair of area vector a
+    const auto addPair = [&]
+    (
+        const label lane,
+        const label j,
+        const vec& a
+    )
+    __attribute__((always_inline))
     {
+        for (int v = 0; v < nVars; ++v)
+        {
+            const scalar difference = 0.5*(W[v][j] - W[v][i0 + lane]);
+            for (int d = 0; d < nDims; ++d)
+            {
+                sum[v*nDims + d][lane] += difference*a[d];
+            }
+        }
+    };
+
+    const pairSlices::rows forward = pairs_.forward(slice);
+    for (label row = forward.begin; row < forward.end; ++row)
+    {
+        const scalar* g = pairs_.geometry().row(row);
+
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
         {
-            const std::size_t e = std::size_t(row)*nLanes + lane;
-            const label i = i0 + lane;
-            const label j = neighbour[e];
-            const scalar halfArea = 0.5*area[e];
-
-            for (int v = 0; v < nVars; ++v)
+            vec a;
+            for (int d = 0; d < nDims; ++d)
             {
-                const scalar difference = halfArea*(W[v][j] - W[v][i]);
-                for (int d = 0; d < nDims; ++d)
-                {
-                    sum[v*nDims + d][lane] += difference*n[d][e];
-                }
+                a[d] = g[nDims*nLanes + lane]*g[d*nLanes + lane];
             }
+            addPair(lane, forward.neighbour[row*nLanes + lane], a);
+        }
+    }
+
+    const pairSlices::rows backward = pairs_.backward(slice);
+    for (label row = backward.begin; row < backward.end; ++row)
+    {
+        const scalar* A = pairs_.backwardArea().row(row);
+
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            vec a;
+            for (int d = 0; d < nDims; ++d)
+            {
+                a[d] = A[d*nLanes + lane];
+            }
+            addPair(lane, backward.neighbour[row*nLanes + lane], a);
         }
     }
 
@@ -105,24 +130,16 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::findCalm
         const vars scale(flux_.scale(I));
 
         bool isCalm = true;
-        for
-        (
-            label row = pairs_.start(slice);
-            isCalm && row < pairs_.start(slice + 1);
-            ++row
-        )
+        for (const pairSlices::rows& rows : pairs_.all(slice))
         {
-            const vars J
-            (
-                load
-                (
-                    W_,
-                    pairs_.neighbour()[std::size_t(row)*nLanes + i % nLanes]
-                )
-            );
-            for (int v = 0; v < nVars; ++v)
+            for (label row = rows.begin; isCalm && row < rows.end; ++row)
             {
-                isCalm = isCalm & calm(J[v] - I[v], scale, v);
+                const label e = row*nLanes + i % nLanes;
+                const vars J(load(W_, rows.neighbour[e]));
+                for (int v = 0; v < nVars; ++v)
+                {
+                    isCalm = isCalm & calm(J[v] - I[v], scale, v);
+                }
             }
         }
         sleeping_.setCalm(i, isCalm);
@@ -192,10 +209,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
 )
 {
     const label i0 = slice*nLanes;
-    const label start = pairs_.start(slice);
-    const label end = pairs_.start(slice + 1);
-    const int* neighbour = pairs_.neighbour();
-    const scalar* area = pairs_.area();
+    const scalar* geometry = pairs_.geometry().data();
 
     for (int v = 0; v < nVars; ++v)
     {
@@ -203,49 +217,75 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
         scalar lowest[nLanes] = {};
         scalar highest[nLanes] = {};
         scalar limiter[nLanes];
+        std::fill_n(limiter, nLanes, scalar(1));
 
-        #pragma omp simd
-        for (label lane = 0; lane < nLanes; ++lane)
+        for (const pairSlices::rows& rows : pairs_.all(slice))
         {
-            limiter[lane] = 1;
-        }
-
-        for (label row = start; row < end; ++row)
-        {
-            #pragma omp simd
-            for (label lane = 0; lane < nLanes; ++lane)
+            for (label row = rows.begin; row < rows.end; ++row)
             {
-                const std::size_t e = std::size_t(row)*nLanes + lane;
-                const scalar difference = W[neighbour[e]] - W[i0 + lane];
-                lowest[lane] =
-                    difference < lowest[lane] ? difference : lowest[lane];
-                highest[lane] =
-                    difference > highest[lane] ? difference : highest[lane];
+                #pragma omp simd
+                for (label lane = 0; lane < nLanes; ++lane)
+                {
+                    const label j = rows.neighbour[row*nLanes + lane];
+                    const scalar difference = W[j] - W[i0 + lane];
+                    lowest[lane] =
+                        difference < lowest[lane] ? difference : lowest[lane];
+                    highest[lane] =
+                        difference > highest[lane]
+                      ? difference
+                      : highest[lane];
+                }
             }
         }
 
-        for (label row = start; row < end; ++row)
+        const auto limit = [&]
+        (
+            const label lane,
+            const std::size_t first,
+            const scalar direction
+        )
+        __attribute__((always_inline))
+        {
+            scalar halfStep = 0;
+            for (int d = 0; d < nDims; ++d)
+            {
+                halfStep +=
+                    G_[v*nDims + d][i0 + lane]
+                   *geometry[first + (nDims + 1 + d)*nLanes];
+            }
+
+            // Rows without a pair limit nothing
+            halfStep *=
+                geometry[first + nDims*nLanes] > 0 ? 0.5*direction : 0;
+
+            const scalar allowed = limiters::barthJespersen
+            (
+                halfStep, lowest[lane], highest[lane]
+            );
+            limiter[lane] = allowed < limiter[lane] ? allowed : limiter[lane];
+        };
+
+        const pairSlices::rows forward = pairs_.forward(slice);
+        for (label row = forward.begin; row < forward.end; ++row)
+        {
+            const std::size_t first = std::size_t(row)*nGeometry*nLanes;
+
+            #pragma omp simd
+            for (label lane = 0; lane < nLanes; ++lane)
+            {
+                limit(lane, first + lane, 1);
+            }
+        }
+
+        const pairSlices::rows backward = pairs_.backward(slice);
+        const int* entry = pairs_.entry();
+        for (label row = backward.begin; row < backward.end; ++row)
         {
             #pragma omp simd
             for (label lane = 0; lane < nLanes; ++lane)
             {
-                const std::size_t e = std::size_t(row)*nLanes + lane;
-                scalar halfStep = 0;
-                for (int d = 0; d < nDims; ++d)
-                {
-                    halfStep +=
-                        G_[v*nDims + d][i0 + lane]*pairs_.delta(d)[e];
-                }
-
-                // Rows without a pair limit nothing
-                halfStep *= area[e] > 0 ? 0.5 : area[e] < 0 ? -0.5 : 0;
-
-                const scalar allowed = limiters::barthJespersen
-                (
-                    halfStep, lowest[lane], highest[lane]
-                );
-                limiter[lane] =
-                    allowed < limiter[lane] ? allowed : limiter[lane];
+                const label e = entry[row*nLanes + lane];
+                limit(lane, rowField::start(e, nGeometry), -1);
             }
         }
 

@@ -22,19 +22,16 @@ void Foam::SPH::sleepingSlices::setNeighbours()
         start_[slice] = found.size();
         lastSeen[slice] = slice;
 
-        const std::size_t end = std::size_t(pairs_.start(slice + 1))*nLanes;
-        for
-        (
-            std::size_t e = std::size_t(pairs_.start(slice))*nLanes;
-            e < end;
-            ++e
-        )
+        for (const pairSlices::rows& rows : pairs_.all(slice))
         {
-            const label other = pairs_.neighbour()[e]/nLanes;
-            if (lastSeen[other] != slice)
+            for (label e = rows.begin*nLanes; e < rows.end*nLanes; ++e)
             {
-                lastSeen[other] = slice;
-                found.append(other);
+                const label other = rows.neighbour[e]/nLanes;
+                if (lastSeen[other] != slice)
+                {
+                    lastSeen[other] = slice;
+                    found.append(other);
+                }
             }
         }
     }
@@ -152,13 +149,14 @@ const Foam::labelUList& Foam::SPH::sleepingSlices::gradients
 }
 
 
-const Foam::labelUList& Foam::SPH::sleepingSlices::rates
+const Foam::labelUList& Foam::SPH::sleepingSlices::fluxes
 (
     const labelUList& slices,
     slicedField& R
 )
 {
-    if (asleep_.empty())
+    const label nSlices = pairs_.nSlices();
+    if (asleep_.empty() || slices.empty() || slices[0] >= nSlices)
     {
         return slices;
     }
@@ -187,15 +185,26 @@ const Foam::labelUList& Foam::SPH::sleepingSlices::rates
         }
     }
 
-    rates_.clear();
+    // Those next to a slice whose rates are computed have fluxes for it
+    fluxes_.clear();
     for (const label slice : slices)
     {
-        if (!still_[slice])
+        bool needed = !still_[slice];
+        for
+        (
+            label k = start_[slice];
+            !needed && k < start_[slice + 1];
+            ++k
+        )
         {
-            rates_.append(slice);
+            needed = neighbours_[k] < nSlices && !still_[neighbours_[k]];
+        }
+        if (needed)
+        {
+            fluxes_.append(slice);
         }
     }
-    return rates_;
+    return fluxes_;
 }
 
 
@@ -206,19 +215,14 @@ void Foam::SPH::sleepingSlices::start(const slicedField& W)
     for (label slice = 0; slice < pairs_.nSlices(); ++slice)
     {
         const label n = nParticles(slice);
-        for
-        (
-            label row = pairs_.start(slice);
-            row < pairs_.start(slice + 1);
-            ++row
-        )
+        for (const pairSlices::rows& rows : pairs_.all(slice))
         {
-            for (label lane = 0; lane < n; ++lane)
+            for (label e = rows.begin*nLanes; e < rows.end*nLanes; ++e)
             {
+                const label lane = e % nLanes;
                 const label i = slice*nLanes + lane;
-                const label j =
-                    pairs_.neighbour()[std::size_t(row)*nLanes + lane];
-                for (label v = 0; v < W.nComponents(); ++v)
+                const label j = rows.neighbour[e];
+                for (label v = 0; lane < n && v < W.nComponents(); ++v)
                 {
                     asleep[i] = asleep[i] && W[v][j] == W[v][i];
                 }
@@ -313,10 +317,14 @@ void Foam::SPH::sleepingSlices::updateCalm()
     #pragma omp parallel for
     for (label k = 0; k < asleep_.size(); ++k)
     {
-        if (state_[asleep_[k]] == waking)
+        const label slice = asleep_[k];
+        if (state_[slice] == waking)
         {
-            setFlags(asleep_[k]);
+            setFlags(slice);
         }
+
+        // Not known before the halo is
+        still_[slice] = false;
     }
 }
 

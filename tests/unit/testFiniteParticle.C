@@ -262,10 +262,10 @@ void checkConsistency(const Flux& flux)
         const typename Flux::vec n{{std::cos(angle), std::sin(angle)}};
         const typename Flux::vec back{{-n[0], -n[1]}};
 
-        const auto same = flux.pairFlux(L, L, L, n);
-        const auto other = flux.pairFlux(L, L, R, n);
-        const auto forth = flux.pairFlux(L, R, L, n);
-        const auto opposite = flux.pairFlux(R, L, L, back);
+        const auto same = pairFlux(flux, L, L, L, n);
+        const auto other = pairFlux(flux, L, L, R, n);
+        const auto forth = pairFlux(flux, L, R, L, n);
+        const auto opposite = pairFlux(flux, R, L, L, back);
         const auto FL = flux.flux(L, n);
         const auto FR = flux.flux(R, n);
 
@@ -413,7 +413,7 @@ TEST(RiemannSolvers, HLLCKeepsAContactAtRest)
     const HLLCFlux<2> flux(air);
     const HLLCFlux<2>::vars L{{300, 0, 0, 1e5}};
     const HLLCFlux<2>::vars R{{600, 0, 5, 1e5}};
-    const auto dF = flux.pairFlux(L, R, L, {{1, 0}});
+    const auto dF = pairFlux(flux, L, R, L, {{1, 0}});
 
     for (int v = 0; v < 4; ++v)
     {
@@ -428,8 +428,8 @@ TEST(RiemannSolvers, AreUpwindInSupersonicFlow)
     const HLLCFlux<2>::vars L{{300, 694, 10, 1e5}};
     const HLLCFlux<2>::vars R{{310, 670, -10, 9e4}};
 
-    const auto HLLC = HLLCFlux<2>(air).pairFlux(L, R, R, {{1, 0}});
-    const auto Kurganov = KurganovFlux<2>(air).pairFlux(L, R, R, {{1, 0}});
+    const auto HLLC = pairFlux(HLLCFlux<2>(air), L, R, R, {{1, 0}});
+    const auto Kurganov = pairFlux(KurganovFlux<2>(air), L, R, R, {{1, 0}});
     const auto FL = HLLCFlux<2>(air).flux(L, {{1, 0}});
     const auto FR = HLLCFlux<2>(air).flux(R, {{1, 0}});
 

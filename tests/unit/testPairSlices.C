@@ -93,6 +93,42 @@ struct part
     }
 };
 
+//- Of each row of the particle's slice, forward or backward, its entry, as
+//- long as it has pairs
+labelList pairsOf
+(
+    const pairSlices& slices,
+    const label i,
+    const bool forward
+)
+{
+    const pairSlices::rows rows =
+        forward ? slices.forward(i/nLanes) : slices.backward(i/nLanes);
+
+    DynamicList<label> entries;
+    for (label row = rows.begin; row < rows.end; ++row)
+    {
+        const label e = row*nLanes + i % nLanes;
+        if (rows.neighbour[e] != i)
+        {
+            entries.append(e);
+        }
+    }
+    return labelList(std::move(entries));
+}
+
+
+label neighbourOf
+(
+    const pairSlices& slices,
+    const label entry,
+    const bool forward
+)
+{
+    return
+        (forward ? slices.forward(0) : slices.backward(0)).neighbour[entry];
+}
+
 } // End namespace
 
 
@@ -130,39 +166,67 @@ TEST(PairSlices, OfAPartHoldWhatThoseOfTheWholeCaseHold)
             haloOf.insert(haloExchange::index(particles, k), numbers[k]);
         }
 
+        // Forward pairs from the halo are those of the particles that are
+        // not here, but for pairs that do not lead here
+        const auto wholeOf = [&](const label j)
+        {
+            return j < n ? numbers[j] : haloOf[j];
+        };
+        const label nGeometry = 3*all->nDims() + 1;
+        const auto expectSame = [&]
+        (
+            const label e,
+            const label wholeE
+        )
+        {
+            for (label c = 0; c < nGeometry; ++c)
+            {
+                EXPECT_EQ
+                (
+                    slices.geometry()(e, c), wholeSlices.geometry()(wholeE, c)
+                );
+            }
+        };
+
         labelHashSet outer;
         for (label i = 0; i < n; ++i)
         {
-            const label a = numbers[i]/nLanes;
-            const label b = i/nLanes;
-            const label nRows =
-                min
-                (
-                    wholeSlices.start(a + 1) - wholeSlices.start(a),
-                    slices.start(b + 1) - slices.start(b)
-                );
-            for (label row = 0; row < nRows; ++row)
+            for (const bool forward : {true, false})
             {
-                const label e =
-                    (wholeSlices.start(a) + row)*nLanes + numbers[i] % nLanes;
-                const label f = (slices.start(b) + row)*nLanes + i % nLanes;
-                const label j = slices.neighbour()[f];
+                const auto entries = pairsOf(slices, i, forward);
+                const auto wholeEntries =
+                    pairsOf(wholeSlices, numbers[i], forward);
+                ASSERT_EQ(entries.size(), wholeEntries.size());
 
-                EXPECT_EQ
-                (
-                    j < n ? numbers[j] : haloOf[j], wholeSlices.neighbour()[e]
-                );
-                EXPECT_EQ(slices.area()[f], wholeSlices.area()[e]);
-                EXPECT_EQ(slices.gradWeight()[f], wholeSlices.gradWeight()[e]);
-                for (label d = 0; d < all->nDims(); ++d)
+                forAll(entries, k)
                 {
-                    EXPECT_EQ(slices.n(d)[f], wholeSlices.n(d)[e]);
-                    EXPECT_EQ(slices.delta(d)[f], wholeSlices.delta(d)[e]);
-                    EXPECT_EQ(slices.skew(d)[f], wholeSlices.skew(d)[e]);
-                }
-                if (j >= n)
-                {
-                    outer.insert(b);
+                    const label j = neighbourOf(slices, entries[k], forward);
+                    EXPECT_EQ
+                    (
+                        wholeOf(j),
+                        neighbourOf(wholeSlices, wholeEntries[k], forward)
+                    );
+                    if (j >= n)
+                    {
+                        outer.insert(i/nLanes);
+                    }
+
+                    if (forward)
+                    {
+                        expectSame(entries[k], wholeEntries[k]);
+                        continue;
+                    }
+                    const label e = slices.entry()[entries[k]];
+                    expectSame(e, wholeSlices.entry()[wholeEntries[k]]);
+                    EXPECT_EQ(neighbourOf(slices, e, true), i);
+                    for (label d = 0; d < all->nDims(); ++d)
+                    {
+                        EXPECT_EQ
+                        (
+                            slices.backwardArea()(entries[k], d),
+                            wholeSlices.backwardArea()(wholeEntries[k], d)
+                        );
+                    }
                 }
             }
         }
