@@ -20,55 +20,16 @@ namespace Foam
 namespace SPH
 {
     //- Limiter of the dissipation, [B] eq. 16
-    constexpr scalar etaHLLC = 1;
-
-    template<bool Limited, int Dim>
-    static HLLCFlux<Dim> makeFlux(const perfectGasFluid& fluid)
-    {
-        if constexpr (Limited)
-        {
-            return HLLCFlux<Dim>(fluid, etaHLLC);
-        }
-        else
-        {
-            return HLLCFlux<Dim>(fluid);
-        }
-    }
-
-    template<bool Limited>
-    struct HLLCLaw
-    {
-        static autoPtr<conservationLaw> New
-        (
-            const dictionary& schemes,
-            const perfectGasFluid& fluid,
-            faceStates& faces
-        )
-        {
-            const auto select = [&](const auto& flux)
-            {
-                return selectOperator
-                (
-                    flux, "vanLeer", fluid.viscous(), schemes, faces
-                );
-            };
-
-            if (loopDims(faces.particles()) == 2)
-            {
-                return select(makeFlux<Limited, 2>(fluid));
-            }
-            return select(makeFlux<Limited, 3>(fluid));
-        }
-    };
+    constexpr int etaHLLC = 1;
 
     static conservationLaw::addcompressibleConstructorToTable
     <
-        HLLCLaw<false>
+        fluxLaw<HLLCFlux>
     > addHLLC("HLLC");
 
     static conservationLaw::addcompressibleConstructorToTable
     <
-        HLLCLaw<true>
+        fluxLaw<HLLCFlux, etaHLLC>
     > addHLLCLimited("HLLCLimited");
 }
 }

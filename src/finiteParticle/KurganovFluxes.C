@@ -19,34 +19,9 @@ namespace Foam
 {
 namespace SPH
 {
-    struct KurganovLaw
-    {
-        static autoPtr<conservationLaw> New
-        (
-            const dictionary& schemes,
-            const perfectGasFluid& fluid,
-            faceStates& faces
-        )
-        {
-            const auto select = [&](const auto& flux)
-            {
-                return selectOperator
-                (
-                    flux, "vanLeer", fluid.viscous(), schemes, faces
-                );
-            };
-
-            if (loopDims(faces.particles()) == 2)
-            {
-                return select(KurganovFlux<2>(fluid));
-            }
-            return select(KurganovFlux<3>(fluid));
-        }
-    };
-
     static conservationLaw::addcompressibleConstructorToTable
     <
-        KurganovLaw
+        fluxLaw<KurganovFlux>
     > addKurganov("Kurganov");
 }
 }

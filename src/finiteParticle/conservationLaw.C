@@ -92,6 +92,7 @@ void Foam::SPH::conservationLaw::setGeometry()
 
     if (!closed_)
     {
+        residualArea_ = slicedField(nDims, pairs_.nSlices());
         forAll(residual, i)
         {
             for (label d = 0; d < nDims; ++d)
@@ -120,7 +121,7 @@ Foam::SPH::conservationLaw::conservationLaw
     rSpacing_(1, pairs_.nSlices()),
     areaByVolume_(1, pairs_.nSlices()),
     diffusionWeight_(1, pairs_.nSlices()),
-    residualArea_(loopDims(particles_), pairs_.nSlices()),
+    residualArea_(0, 0),
     closed_(false),
     Q_(nVariables, pairs_.nSlices()),
     Q0_(nVariables, pairs_.nSlices()),

@@ -12,7 +12,6 @@ Description
 
 #include "linearisedFlux.H"
 #include "pairOperator.H"
-#include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,55 +20,16 @@ namespace Foam
 namespace SPH
 {
     //- Limiter of the dissipation, [B] eq. 18
-    constexpr scalar etaLinearised = 15;
-
-    template<bool Limited, int Dim>
-    static linearisedFlux<Dim> makeFlux(const weaklyCompressibleFluid& fluid)
-    {
-        if constexpr (Limited)
-        {
-            return linearisedFlux<Dim>(fluid, etaLinearised);
-        }
-        else
-        {
-            return linearisedFlux<Dim>(fluid);
-        }
-    }
-
-    template<bool Limited>
-    struct linearisedLaw
-    {
-        static autoPtr<conservationLaw> New
-        (
-            const dictionary& schemes,
-            const weaklyCompressibleFluid& fluid,
-            faceStates& faces
-        )
-        {
-            const auto select = [&](const auto& flux)
-            {
-                return selectOperator
-                (
-                    flux, "none", fluid.nu > 0, schemes, faces
-                );
-            };
-
-            if (loopDims(faces.particles()) == 2)
-            {
-                return select(makeFlux<Limited, 2>(fluid));
-            }
-            return select(makeFlux<Limited, 3>(fluid));
-        }
-    };
+    constexpr int etaLinearised = 15;
 
     static conservationLaw::addweaklyCompressibleConstructorToTable
     <
-        linearisedLaw<false>
+        fluxLaw<linearisedFlux>
     > addLinearised("linearised");
 
     static conservationLaw::addweaklyCompressibleConstructorToTable
     <
-        linearisedLaw<true>
+        fluxLaw<linearisedFlux, etaLinearised>
     > addLinearisedLimited("linearisedLimited");
 }
 }

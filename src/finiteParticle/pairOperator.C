@@ -176,12 +176,9 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
         Limiter::linear
      && schemes.getOrDefault<word>("wallGradient", "quadratic") == "quadratic"
     ),
-    G_
-    (
-        Limiter::linear ? nVars*nDims : 0, haloExchange::nSlices(particles_)
-    ),
+    G_(0, 0),
     gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr),
-    fluxes_(nVars, pairs_.nRows())
+    fluxes_(0, 0)
 {}
 
 
@@ -260,6 +257,15 @@ template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
 {
     const bool twoExchanges = Limiter::linear || sleeping_.anywhere();
+
+    if (fluxes_.empty())
+    {
+        if (Limiter::linear)
+        {
+            G_ = slicedField(nVars*nDims, haloExchange::nSlices(particles_));
+        }
+        fluxes_ = rowField(nVars, pairs_.nRows());
+    }
 
     halo_.start(W_.components());
     if (twoExchanges)
@@ -473,7 +479,6 @@ template<class Flux>
 Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
 (
     const Flux& flux,
-    const word& defaultLimiter,
     const bool viscous,
     const dictionary& schemes,
     faceStates& faces
@@ -504,7 +509,7 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
         (
             schemes,
             "limiter",
-            defaultLimiter,
+            Flux::defaultLimiter,
             {
                 "BarthJespersen", "Minmod", "MUSCL", "none", "vanAlbada",
                 "vanLeer"

@@ -22,7 +22,6 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     const Flux flux(flux_);
     const label i0 = slice*nLanes;
     const pairSlices::rows rows = pairs_.forward(slice);
-    const scalar* geometry = pairs_.geometry().data();
     const scalar* codes = sleeping_.code();
     scalar* fluxes = fluxes_.data();
 
@@ -47,8 +46,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
         const label i = i0 + lane;
         const label j = rows.neighbour[row*nLanes + lane];
 
-        const scalar* g =
-            geometry + std::size_t(row)*nGeometry*nLanes + lane;
+        const scalar* g = pairs_.geometry().row(row) + lane;
         const scalar area = g[nDims*nLanes];
         vec n;
         vec delta;

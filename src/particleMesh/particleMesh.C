@@ -63,4 +63,16 @@ Foam::SPH::particleMesh::particleMesh
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::SPH::particleMesh::clearPairs()
+{
+    data_.owner.clear();
+    data_.neighbour.clear();
+    data_.Sf.clear();
+    data_.delta.clear();
+    data_.skew.clear();
+}
+
+
 // ************************************************************************* //

@@ -15,50 +15,17 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "fvCFD.H"
 #include "weaklyCompressibleFlow.H"
-#include "treatedParticleMesh.H"
-#include "version.H"
+#include "runSolver.H"
 
 int main(int argc, char *argv[])
 {
-    argList::addNote
+    return Foam::SPH::runSolver<Foam::SPH::weaklyCompressibleFlow>
     (
+        argc,
+        argv,
         "Weakly compressible Eulerian SPH solver for laminar flow"
     );
-    SPH::flowSolver::addOptions();
-
-    #include "setRootCaseLists.H"
-    SPH::printVersion();
-    #include "createTime.H"
-    #include "createReadMesh.H"
-
-    SPH::flowSolver::checkCase(args, mesh);
-    const autoPtr<SPH::particleMesh> particles(SPH::treatedParticleMesh(mesh));
-    SPH::weaklyCompressibleFlow flow(runTime, *particles);
-
-    if (args.found("dry-run"))
-    {
-        Info<< "The case is complete\n\nEnd\n" << endl;
-        return 0;
-    }
-
-    Info<< "Starting time loop\n" << endl;
-
-    while (runTime.run())
-    {
-        flow.setDeltaT();
-        ++runTime;
-
-        Info<< "Time = " << runTime.timeName() << nl << endl;
-
-        flow.advance();
-        flow.write();
-    }
-
-    Info<< "End\n" << endl;
-
-    return 0;
 }
 
 
