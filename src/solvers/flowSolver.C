@@ -221,6 +221,7 @@ void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
         particleFiles(mesh.time()).requireCurrent();
     }
     refuseUnsupportedModels(mesh.time());
+    leaveOutFunctionObjects(mesh.time());
 
     // The cores of a machine are the ranks' unless threads are asked for
     if (Pstream::parRun() && !std::getenv("OMP_NUM_THREADS"))

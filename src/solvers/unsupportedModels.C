@@ -109,4 +109,40 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
 }
 
 
+void Foam::SPH::leaveOutFunctionObjects(const Time& runTime)
+{
+    // Without a turbulence model most of them end the run, yPlus writes zeros
+    static const wordHashSet types
+    ({
+        "heatTransferCoeff", "turbulenceFields", "wallHeatFlux",
+        "wallShearStress", "yPlus"
+    });
+
+    dictionary* functions =
+        const_cast<dictionary&>(runTime.controlDict())
+       .findDict("functions", keyType::LITERAL);
+
+    if (!functions)
+    {
+        return;
+    }
+    for (entry& e : *functions)
+    {
+        const word type
+        (
+            e.isDict()
+          ? e.dict().getOrDefault<word>("type", word::null)
+          : word::null
+        );
+        if (types.found(type) && e.dict().getOrDefault("enabled", true))
+        {
+            Info<< "Leaving out the function object " << e.keyword() << ": "
+                << type << " needs a turbulence model, which this solver does"
+                << " not have" << nl << endl;
+            e.dict().set("enabled", false);
+        }
+    }
+}
+
+
 // ************************************************************************* //
