@@ -10,6 +10,7 @@ License
 #include "compressibleFlow.H"
 #include "compressibleStates.H"
 #include "linear.H"
+#include "unsupportedModels.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -104,6 +105,14 @@ Foam::SPH::compressibleFlow::compressibleFlow
     ),
     fluid_(readFluid())
 {
+    // Those of kinematic pressure find a viscosity in transportProperties
+    leaveOutFunctionObjects
+    (
+        runTime,
+        {"forces", "forceCoeffs"},
+        ": sphForces and sphForceCoeffs write the same"
+    );
+
     checkDimensions(U_, dimVelocity);
     checkDimensions(T_, dimTemperature);
     checkDimensions(p_, dimPressure);

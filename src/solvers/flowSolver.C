@@ -221,7 +221,16 @@ void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
         particleFiles(mesh.time()).requireCurrent();
     }
     refuseUnsupportedModels(mesh.time());
-    leaveOutFunctionObjects(mesh.time());
+
+    // Without a turbulence model most of them end the run, yPlus writes zeros
+    leaveOutFunctionObjects
+    (
+        mesh.time(),
+        {
+            "heatTransferCoeff", "turbulenceFields", "wallHeatFlux",
+            "wallShearStress", "yPlus"
+        }
+    );
 
     // The cores of a machine are the ranks' unless threads are asked for
     if (Pstream::parRun() && !std::getenv("OMP_NUM_THREADS"))

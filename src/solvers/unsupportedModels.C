@@ -109,15 +109,13 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
 }
 
 
-void Foam::SPH::leaveOutFunctionObjects(const Time& runTime)
+void Foam::SPH::leaveOutFunctionObjects
+(
+    const Time& runTime,
+    const wordHashSet& types,
+    const char* instead
+)
 {
-    // Without a turbulence model most of them end the run, yPlus writes zeros
-    static const wordHashSet types
-    ({
-        "heatTransferCoeff", "turbulenceFields", "wallHeatFlux",
-        "wallShearStress", "yPlus"
-    });
-
     dictionary* functions =
         const_cast<dictionary&>(runTime.controlDict())
        .findDict("functions", keyType::LITERAL);
@@ -138,7 +136,7 @@ void Foam::SPH::leaveOutFunctionObjects(const Time& runTime)
         {
             Info<< "Leaving out the function object " << e.keyword() << ": "
                 << type << " needs a turbulence model, which this solver does"
-                << " not have" << nl << endl;
+                << " not have" << instead << nl << endl;
             e.dict().set("enabled", false);
         }
     }
