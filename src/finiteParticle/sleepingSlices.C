@@ -24,6 +24,7 @@ void Foam::SPH::sleepingSlices::setNeighbours()
 
         for (const pairSlices::rows& rows : pairs_.all(slice))
         {
+            forwardEnd_[slice] = found.size();
             for (label e = rows.begin*nLanes; e < rows.end*nLanes; ++e)
             {
                 const label other = rows.neighbour[e]/nLanes;
@@ -109,6 +110,7 @@ Foam::SPH::sleepingSlices::sleepingSlices
     anywhere_(false),
     code_(on ? 1 : 0, haloExchange::nSlices(particles_)),
     start_(pairs.nSlices() + 1, Zero),
+    forwardEnd_(pairs.nSlices(), Zero),
     boundary_(pairs.nSlices(), false),
     flags_(code_.nSlices(), {false, false, false, false}),
     state_(pairs.nSlices(), awake),
@@ -185,7 +187,8 @@ const Foam::labelUList& Foam::SPH::sleepingSlices::fluxes
         }
     }
 
-    // Those next to a slice whose rates are computed have fluxes for it
+    // Those with pairs forward to a slice whose rates are computed have fluxes
+    // for it
     fluxes_.clear();
     for (const label slice : slices)
     {
@@ -193,7 +196,7 @@ const Foam::labelUList& Foam::SPH::sleepingSlices::fluxes
         for
         (
             label k = start_[slice];
-            !needed && k < start_[slice + 1];
+            !needed && k < forwardEnd_[slice];
             ++k
         )
         {
