@@ -52,11 +52,8 @@ Foam::SPH::fromMeshSpacing::fromMeshSpacing
     // planes or cyclic patches, but one layer of particles says nothing across
     const vector low(space_.toLocal(mesh.bounds().min()));
     const vector high(space_.toLocal(mesh.bounds().max()));
-    scalar half = GREAT;
-    for (label d = 0; d < space_.nDims(); ++d)
-    {
-        half = Foam::min(half, 0.5*(high[d] - low[d]));
-    }
+    const scalar half =
+        space_.nDims() == 3 ? 0.5*cmptMin(high - low) : GREAT;
 
     DynamicList<point> centres(mesh.nCells());
     DynamicList<scalar> sizes(mesh.nCells());
