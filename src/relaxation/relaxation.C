@@ -199,7 +199,9 @@ Foam::scalar Foam::SPH::relaxation::moveBody(const label bodyi)
       : (1 - 1e-6)*min
         (
             method_.boundingDistance(bodyi, false),
-            method_.boundingDistance(bodyi, bodyi == 0)
+            bodyi == 0
+          ? method_.solidDistance()
+          : method_.boundingDistance(bodyi, false)
         );
     const scalar momentum = uphill > 0 ? 0 : method_.momentum();
 

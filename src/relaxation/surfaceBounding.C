@@ -39,7 +39,12 @@ Foam::scalar Foam::SPH::surfaceBounding::bound
         const bool interface =
             bodyi == 0
          && domain_.nearSolid(p, max(-n.distance, scalar(0)) + 1e-6*dp);
-        const scalar d = method_.boundingDistance(bodyi, interface)*dp;
+        const scalar d = dp*
+        (
+            interface && bearsParticles(n, dp, p)
+          ? method_.solidDistance()
+          : method_.boundingDistance(bodyi, interface)
+        );
 
         if (d < 0 || n.distance <= -d)
         {
@@ -67,6 +72,21 @@ Foam::scalar Foam::SPH::surfaceBounding::bound
     }
 
     return n.distance;
+}
+
+
+bool Foam::SPH::surfaceBounding::bearsParticles
+(
+    const signedDistance::nearest& n,
+    const scalar dp,
+    const vector& p
+) const
+{
+    // From just behind the surface inwards: yes at an edge of a right angle,
+    // no in a foil thinner than three spacings
+    const vector behind(p + (0.3*dp - n.distance)*n.normal);
+    const vector inwards(domain_.find(0, behind).normal);
+    return domain_.distance(0, behind + 2.5*dp*inwards) > 0.25*dp;
 }
 
 
