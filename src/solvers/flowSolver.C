@@ -232,10 +232,16 @@ void Foam::SPH::flowSolver::checkCase(const argList& args, const fvMesh& mesh)
         }
     );
 
-    // The cores of a machine are the ranks' unless threads are asked for
-    if (Pstream::parRun() && !std::getenv("OMP_NUM_THREADS"))
+    // The cores of a machine are the ranks' unless threads are asked for, and
+    // a thread with fewer particles waits for others longer than it works
+    constexpr label leastParticles = 8000;
+    if (!std::getenv("OMP_NUM_THREADS"))
     {
-        omp_set_num_threads(1);
+        const label useful = max(label(1), mesh.nCells()/leastParticles);
+        omp_set_num_threads
+        (
+            Pstream::parRun() ? 1 : min(omp_get_max_threads(), int(useful))
+        );
     }
 }
 
