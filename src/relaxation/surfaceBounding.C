@@ -39,12 +39,19 @@ Foam::scalar Foam::SPH::surfaceBounding::bound
         const bool interface =
             bodyi == 0
          && domain_.nearSolid(p, max(-n.distance, scalar(0)) + 1e-6*dp);
-        const scalar d = dp*
+        scalar d = method_.boundingDistance(bodyi, interface)*dp;
+        const scalar atSolid = method_.solidDistance()*dp;
+
+        if
         (
-            interface && bearsParticles(n, dp, p)
-          ? method_.solidDistance()
-          : method_.boundingDistance(bodyi, interface)
-        );
+            interface
+         && n.distance > -d
+         && atSolid < d
+         && bearsParticles(n, dp, p)
+        )
+        {
+            d = atSolid;
+        }
 
         if (d < 0 || n.distance <= -d)
         {
