@@ -160,6 +160,7 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     order_(dict.lookupOrDefault<label>("order", 1)),
     nSweeps_(dict.lookupOrDefault<label>("sweeps", 2)),
     consistentVolumes_(true),
+    leastArea_(dict.lookupOrDefault<scalar>("leastArea", 0.1)),
     nearestOnLattice_
     (
         checkedWord(dict, "latticePairs", "nearest", {"nearest", "all"})
@@ -172,6 +173,13 @@ Foam::SPH::consistentClosure::consistentClosure(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "order " << order_ << " is not known. Valid choices: 0 or 1"
+            << exit(FatalIOError);
+    }
+
+    if (leastArea_ < 0 || leastArea_ > 0.3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "leastArea " << leastArea_ << " is outside the range 0 to 0.3"
             << exit(FatalIOError);
     }
 
@@ -411,12 +419,12 @@ void Foam::SPH::consistentClosure::close
     };
     for (label sweep = 0; sweep < nSweeps_ || further(sweep); ++sweep)
     {
+        renormalise(space, data);
         const scalar largest = max(mag(areaSums(data)()));
         closeAreas
         (
             space, graph, max(sweepTolerance*largest, tolerance), data
         );
-        renormalise(space, data);
     }
     closeAreas(space, graph, tolerance, data);
     closePeriodicPlanes(mesh, space, graph, data);

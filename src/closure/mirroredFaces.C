@@ -25,7 +25,7 @@ namespace Foam
 namespace SPH
 {
     //- Shares below this fraction of an element's largest are not worth a face
-    static const scalar smallestShare = 0.02;
+    static const scalar smallestShare = 0.3;
 
     //- Parts of a border face below this fraction of it go to its other parts
     static const scalar smallestPart = 1e-3;

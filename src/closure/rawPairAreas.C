@@ -8,6 +8,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rawPairAreas.H"
+#include "bitSet.H"
+#include "ListOps.H"
 #include "compensatedSum.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -136,6 +138,65 @@ Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
     }
 
     return tSf;
+}
+
+
+void Foam::SPH::dropWeakPairs
+(
+    const scalar leastArea,
+    particleMeshData& data
+)
+{
+    const label n = data.points.size();
+    const scalarField area(mag(data.Sf));
+
+    scalarField largest(n, Zero);
+    forAll(area, pairi)
+    {
+        for (const label i : {data.owner[pairi], data.neighbour[pairi]})
+        {
+            largest[i] = max(largest[i], area[pairi]);
+        }
+    }
+
+    bitSet keep(area.size());
+    scalarField whole(n, Zero);
+    scalarField kept(n, Zero);
+    forAll(area, pairi)
+    {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+        const scalar moment = data.Sf[pairi] & data.delta[pairi];
+
+        // Not either those of lattice sites that are not nearest neighbours
+        keep.set
+        (
+            pairi,
+            area[pairi] > max(leastArea*min(largest[i], largest[j]), VSMALL)
+        );
+        for (const label k : {i, j})
+        {
+            whole[k] += moment;
+            kept[k] += keep.test(pairi) ? moment : 0;
+        }
+    }
+
+    forAll(data.Sf, pairi)
+    {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+
+        // A pair of the largest area is kept, so that no sum is zero
+        if (keep.test(pairi))
+        {
+            data.Sf[pairi] *= 0.5*(whole[i]/kept[i] + whole[j]/kept[j]);
+        }
+    }
+
+    inplaceSubset(keep, data.owner);
+    inplaceSubset(keep, data.neighbour);
+    inplaceSubset(keep, data.delta);
+    inplaceSubset(keep, data.Sf);
 }
 
 

@@ -8,11 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleMeshAssembly.H"
-#include "bitSet.H"
 #include "cpuTime.H"
 #include "particlePairs.H"
 #include "periodicImages.H"
-#include "ListOps.H"
 #include "rawPairAreas.H"
 #include "spaceFillingCurve.H"
 #include "volFields.H"
@@ -66,20 +64,6 @@ namespace SPH
         }
 
         pairs.subset(keep);
-    }
-
-    //- Of lattice sites that are not nearest neighbours
-    static void dropPairsWithoutArea(particleMeshData& data)
-    {
-        bitSet keep(data.Sf.size());
-        forAll(data.Sf, pairi)
-        {
-            keep.set(pairi, data.Sf[pairi] != vector::zero);
-        }
-        inplaceSubset(keep, data.owner);
-        inplaceSubset(keep, data.neighbour);
-        inplaceSubset(keep, data.delta);
-        inplaceSubset(keep, data.Sf);
     }
 }
 }
@@ -149,7 +133,7 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
       ? latticeSites(space, W, data)
       : boolList(n, false);
     data.Sf = rawPairAreas(space, W, data.V, data, data.sites);
-    dropPairsWithoutArea(data);
+    dropWeakPairs(method.leastArea(), data);
 
     const cpuTime clock;
     method.close(mesh, space, W, fluid, data);

@@ -56,7 +56,8 @@ namespace SPH
             "closure",
             {
                 "type", "order", "sweeps", "tolerance", "maxIterations",
-                "volumes", "latticePairs", "threshold", "splitCorners"
+                "volumes", "leastArea", "latticePairs", "threshold",
+                "splitCorners"
             }
         }
     });

@@ -520,9 +520,40 @@ TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
     particleScene scene(layout, 0.0625, 0);
 
     const auto raw = scene.assemble("type none;");
-    const auto m = scene.assemble("order 1;");
+    const auto m = scene.assemble("order 1; leastArea 0;");
     EXPECT_LT(max(mag(m->Sf() - raw->Sf()))/faceArea(*raw), 1e-13);
     EXPECT_LT(max(mag(m->V()/raw->V() - 1)), 1e-13);
+}
+
+
+TEST(Closure, weakPairsAreLeftOut)
+{
+    // The papers' kernel reaches 20 neighbours, of which those at sqrt(5) dp
+    // weigh little
+    testCase::layout layout;
+    layout.periodic[0] = layout.periodic[1] = true;
+    particleScene scene(layout, 0.0625, 0);
+
+    const auto all = scene.assemble("order 1; leastArea 0;");
+    const auto m = scene.assemble("order 1;");
+    const label n = all->V().size();
+    EXPECT_EQ(m->owner().size(), 6*n);
+    EXPECT_GT(all->owner().size(), 6*n);
+    EXPECT_LT(max(mag(m->V()/all->V() - 1)), 1e-13);
+
+    scalar longest = 0;
+    forAll(m->owner(), pairi)
+    {
+        longest = max(longest, mag(m->delta()[pairi]));
+    }
+    EXPECT_NEAR(longest, 2*0.0625, 1e-12);
+
+    // What is left weighs as much as the whole: the sum of first moments
+    EXPECT_LT
+    (
+        mag(sum(tr(firstMoments(m->data()) - firstMoments(all->data())))),
+        1e-13
+    );
 }
 
 
