@@ -277,7 +277,10 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
                 nearestRadius*mag(x - sources[n0])
             );
 
-            best.amplification = GREAT;
+            // Cells of one layer, or points on a line, leave a direction out
+            // however large R is: then the smallest R will do
+            label bestRank = -1;
+            scalar bestR = R;
             for (label n = 0; n <= maxGrowths; ++n, R *= growth)
             {
                 withinSphere(tree, x, R, current.source);
@@ -286,15 +289,24 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
 
                 if
                 (
-                    rank == space.nDims()
-                 && current.amplification < best.amplification
+                    rank > bestRank
+                 || (
+                        rank == bestRank
+                     && best.amplification > maxAmplification
+                     && current.amplification < best.amplification
+                    )
                 )
                 {
                     best = current;
+                    bestRank = rank;
+                    bestR = R;
                 }
                 if
                 (
-                    best.amplification <= maxAmplification
+                    (
+                        bestRank == space.nDims()
+                     && best.amplification <= maxAmplification
+                    )
                  || current.source.size() == sources.size()
                 )
                 {
@@ -302,10 +314,15 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
                 }
             }
 
-            if (best.amplification == GREAT)
+            if (bestRank < space.nDims())
             {
-                best.source = current.source;
-                best.fit(sources, volume, x, R, singular);
+                // Flat cells: their thin direction too, where that is safe
+                current.source = best.source;
+                current.fit(sources, volume, x, bestR, singular);
+                if (current.amplification <= maxAmplification)
+                {
+                    best = current;
+                }
             }
 
             shareSource.append(best.source);

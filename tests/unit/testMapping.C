@@ -339,6 +339,37 @@ TEST(MovingLeastSquares, sourcesOnALineAreExactAlongIt)
 }
 
 
+TEST(MovingLeastSquares, oneLayerIsAsSmoothInSpaceAsInThePlane)
+{
+    const label n = 20;
+    const pointField layer(lattice(2, n, 0));
+    const pointField targets(lattice(2, 3*n, 0) + vector(0, 0, 0.3/n));
+    const scalarField spacing(layer.size(), 1.0/n);
+    const scalarField targetSpacing(targets.size(), 1.0/(3*n));
+    const auto wave = [](const point& p)
+    {
+        return std::sin(20*p.x())*std::cos(15*p.y());
+    };
+
+    scalarField inPlane(targets.size());
+    scalarField inSpace(targets.size());
+    for (scalarField* result : {&inPlane, &inSpace})
+    {
+        movingLeastSquares
+        (
+            unitSpace(result == &inPlane ? 2 : 3),
+            {layer, spacing},
+            {targets, targetSpacing}
+        ).map(values(layer, wave), *result);
+    }
+
+    const scalarField exact(values(targets, wave));
+    const scalar error = sum(mag(inPlane - exact));
+    EXPECT_GT(error, 0);
+    EXPECT_LT(sum(mag(inSpace - exact)), 1.1*error);
+}
+
+
 TEST(MovingLeastSquares, boundedMappingKeepsAJumpInItsRange)
 {
     const pointField from(lattice(2, 12, 0.3));
