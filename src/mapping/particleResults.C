@@ -45,7 +45,8 @@ Foam::word Foam::SPH::particleResults::timeName
 {
     for (const instant& t : times)
     {
-        if (equal(t, time))
+        // 'constant' has the value of time 0
+        if (equal(t, time) && t.name() != "constant")
         {
             return t.name();
         }

@@ -88,7 +88,8 @@ Foam::SPH::commonFields::commonFields
 (
     const fvMesh& mesh,
     const referenceCase& reference,
-    const wordRes& names
+    const wordRes& names,
+    const particleResults* particles
 )
 :
     times_(),
@@ -156,8 +157,17 @@ Foam::SPH::commonFields::commonFields
             << "    FVM fields in " << reference.path() << " at times: "
             << this->names(fvmOnly_).c_str() << nl
             << "    SPH fields (<field>.sph) in " << mesh.time().path()
-            << " at times: " << this->names(sphOnly_).c_str() << nl
-            << "    Write both at the same times" << exit(FatalError);
+            << " at times: " << this->names(sphOnly_).c_str() << nl;
+        if (particles)
+        {
+            FatalError
+                << "    Fields of the particles in "
+                << particles->mesh().time().path() << " at times: "
+                << this->names(allTimes(particles->times(), {})).c_str() << nl;
+        }
+        FatalError
+            << "    Write both at the same times, or compare the start with"
+            << " -withZero" << exit(FatalError);
     }
 }
 
@@ -189,6 +199,7 @@ Foam::instantList Foam::SPH::commonFields::select(const argList& args) const
         FatalErrorInFunction
             << "The time options select none of the times with fields of both"
             << " methods. Valid choices: " << names(times_).c_str()
+            << ", time 0 with -withZero"
             << exit(FatalError);
     }
 

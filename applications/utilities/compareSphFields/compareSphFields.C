@@ -15,8 +15,8 @@ Description
     particle case sph/ that are newer than what was mapped from them.
 
 Usage
-    \b compareSphFields [-time RANGES | -latestTime] [-fields '(U p)']
-    [-reference CASE] [-dict FILE] [-noPictures]
+    \b compareSphFields [-time RANGES | -latestTime | -withZero]
+    [-fields '(U p)'] [-reference CASE] [-dict FILE] [-noPictures]
 
     What is shown can be chosen in system/compareSphFieldsDict, see
     comparisonControls.
@@ -37,9 +37,11 @@ Usage
 
 using namespace Foam;
 
-//- Map what is new in the particle case and has an FVM field to compare with
+//- Map what is new in the particle case and has an FVM field to compare with;
+//- at time 0 only if that is selected
 void mapNewFields
 (
+    const argList& args,
     Time& runTime,
     const fvMesh& mesh,
     const SPH::particleResults& particles,
@@ -67,7 +69,17 @@ void mapNewFields
     const instantList times(particles.times());
     for (const instant& time : times)
     {
-        mapTo(time, time);
+        if (time.value() != 0)
+        {
+            mapTo(time, time);
+        }
+    }
+    for (const instant& time : timeSelector::select(times, args))
+    {
+        if (time.value() == 0)
+        {
+            mapTo(time, time);
+        }
     }
 
     // Steady runs end when they have converged, each after its own iterations
@@ -140,10 +152,13 @@ int main(int argc, char *argv[])
     {
         particles.reset(new SPH::particleResults(runTime));
         particles->requireWhole();
-        mapNewFields(runTime, mesh, *particles, reference);
+        mapNewFields(args, runTime, mesh, *particles, reference);
     }
 
-    const SPH::commonFields common(mesh, reference, controls.fields());
+    const SPH::commonFields common
+    (
+        mesh, reference, controls.fields(), particles.get()
+    );
     common.print();
 
     const instantList times(common.select(args));
