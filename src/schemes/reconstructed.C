@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "reconstructed.H"
+#include "fvcSurfaceIntegrate.H"
 #include "gradScheme.H"
 #include "surfaceFields.H"
 #include "volFields.H"
@@ -15,6 +16,108 @@ License
 #include <type_traits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::SPH::reconstructed<Type>::isAhead(const cellField& vf) const
+{
+    return
+        flux_
+     && vf.nOldTimes() > 1
+     && (
+            flux_->dimensions() == dimVelocity*dimArea
+         || this->mesh().template foundObject<volScalarField>("rho")
+        )
+     && returnReduce
+        (
+            vf.primitiveField() == vf.oldTime().primitiveField(),
+            andOp<bool>()
+        );
+}
+
+
+template<class Type>
+Foam::tmp<typename Foam::SPH::reconstructed<Type>::cellField>
+Foam::SPH::reconstructed<Type>::ahead(const cellField& vf) const
+{
+    const Time& time = this->mesh().time();
+    const scalar ratio = time.deltaTValue()/time.deltaT0Value();
+    const cellField& old = vf.oldTime();
+    const cellField& older = old.oldTime();
+
+    tmp<cellField> tresult(new cellField(vf.name() + ":ahead", vf));
+    cellField& result = tresult.ref();
+
+    result.primitiveFieldRef() +=
+        ratio*(old.primitiveField() - older.primitiveField());
+
+    for (fvPatchField<Type>& values : result.boundaryFieldRef())
+    {
+        // Given values are those of the present time
+        if (!values.fixesValue())
+        {
+            const label patchi = values.patch().index();
+            values ==
+                values
+              + ratio
+               *(old.boundaryField()[patchi] - older.boundaryField()[patchi]);
+        }
+    }
+
+    return tresult;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::surfaceScalarField>
+Foam::SPH::reconstructed<Type>::upwindWeights() const
+{
+    const fvMesh& mesh = this->mesh();
+
+    volScalarField Co(fvc::surfaceSum(mag(*flux_)));
+    if (flux_->dimensions() != dimVelocity*dimArea)
+    {
+        Co /= mesh.template lookupObject<volScalarField>("rho");
+    }
+    Co.dimensions().reset(dimless);
+    Co.primitiveFieldRef() *= 0.5*mesh.time().deltaTValue()/mesh.V().field();
+    Co.correctBoundaryConditions();
+
+    const surfaceScalarField faceCo(linearInterpolate(Co));
+    return
+        faceCo/(1.2 + faceCo)
+       *(pos0(*flux_) - mesh.surfaceInterpolation::weights());
+}
+
+
+template<class Type>
+void Foam::SPH::reconstructed<Type>::addDifference
+(
+    const surfaceScalarField& weight,
+    const cellField& vf,
+    faceField& faceValues
+)
+{
+    const labelUList& owner = vf.mesh().owner();
+    const labelUList& neighbour = vf.mesh().neighbour();
+
+    forAll(owner, facei)
+    {
+        faceValues[facei] +=
+            weight[facei]*(vf[owner[facei]] - vf[neighbour[facei]]);
+    }
+
+    forAll(vf.boundaryField(), patchi)
+    {
+        const fvPatchField<Type>& values = vf.boundaryField()[patchi];
+        if (values.coupled())
+        {
+            faceValues.boundaryFieldRef()[patchi] +=
+                weight.boundaryField()[patchi]
+               *(values.patchInternalField() - values.patchNeighbourField());
+        }
+    }
+}
+
 
 template<class Type>
 Foam::ITstream& Foam::SPH::reconstructed<Type>::gradScheme
@@ -100,24 +203,23 @@ void Foam::SPH::reconstructed<Type>::addExtrapolation
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 template<class Type>
-Foam::tmp<Foam::GeometricField<Type, Foam::fvsPatchField, Foam::surfaceMesh>>
-Foam::SPH::reconstructed<Type>::correction
+Foam::tmp<typename Foam::SPH::reconstructed<Type>::faceField>
+Foam::SPH::reconstructed<Type>::beyondLinear
 (
-    const GeometricField<Type, fvPatchField, volMesh>& vf
+    const cellField& vf,
+    const word& name
 ) const
 {
     const fvMesh& mesh = this->mesh();
 
-    tmp<GeometricField<Type, fvsPatchField, surfaceMesh>> tresult
+    tmp<faceField> tresult
     (
-        new GeometricField<Type, fvsPatchField, surfaceMesh>
+        new faceField
         (
             IOobject
             (
-                "reconstructed::correction(" + vf.name() + ')',
+                "reconstructed::correction(" + name + ')',
                 mesh.time().timeName(),
                 mesh,
                 IOobject::NO_READ,
@@ -128,31 +230,12 @@ Foam::SPH::reconstructed<Type>::correction
             dimensioned<Type>(vf.dimensions(), Zero)
         )
     );
-    GeometricField<Type, fvsPatchField, surfaceMesh>& result = tresult.ref();
+    faceField& result = tresult.ref();
 
     // From the weighted mean of both values to the plain one
-    const surfaceScalarField& weights = mesh.surfaceInterpolation::weights();
-    const labelUList& owner = mesh.owner();
-    const labelUList& neighbour = mesh.neighbour();
+    addDifference(0.5 - mesh.surfaceInterpolation::weights(), vf, result);
 
-    forAll(owner, facei)
-    {
-        result[facei] =
-            (0.5 - weights[facei])*(vf[owner[facei]] - vf[neighbour[facei]]);
-    }
-
-    forAll(vf.boundaryField(), patchi)
-    {
-        const fvPatchField<Type>& values = vf.boundaryField()[patchi];
-        if (values.coupled())
-        {
-            result.boundaryFieldRef()[patchi] =
-                (0.5 - weights.boundaryField()[patchi])
-               *(values.patchInternalField() - values.patchNeighbourField());
-        }
-    }
-
-    ITstream& schemeData = gradScheme(vf.name());
+    ITstream& schemeData = gradScheme(name);
     const word ownName("grad(" + vf.name() + ')');
 
     if constexpr
@@ -192,6 +275,40 @@ Foam::SPH::reconstructed<Type>::correction
     }
 
     return tresult;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type>
+Foam::tmp<typename Foam::SPH::reconstructed<Type>::faceField>
+Foam::SPH::reconstructed<Type>::interpolate(const cellField& vf) const
+{
+    return linearInterpolate(vf) + beyondLinear(vf, vf.name());
+}
+
+
+template<class Type>
+Foam::tmp<Foam::surfaceScalarField>
+Foam::SPH::reconstructed<Type>::weights(const cellField& vf) const
+{
+    tmp<surfaceScalarField> linearWeights(linear<Type>::weights(vf));
+    return isAhead(vf) ? linearWeights + upwindWeights() : linearWeights;
+}
+
+
+template<class Type>
+Foam::tmp<typename Foam::SPH::reconstructed<Type>::faceField>
+Foam::SPH::reconstructed<Type>::correction(const cellField& vf) const
+{
+    if (!isAhead(vf))
+    {
+        return beyondLinear(vf, vf.name());
+    }
+
+    tmp<faceField> result(beyondLinear(ahead(vf)(), vf.name()));
+    addDifference(-upwindWeights(), vf, result.ref());
+    return result;
 }
 
 
