@@ -177,15 +177,18 @@ Foam::IOdictionary Foam::SPH::readSphMeshDict
                 << "Cannot read the dictionary " << file << exit(FatalError);
         }
 
-        Info<< "No " << file << ": particles follow the cells (spacing"
-            << " fromMesh)" << nl << endl;
         io.readOpt() = IOobject::NO_READ;
-        dictionary defaults;
-        defaults.add("spacing", "fromMesh");
-        return IOdictionary(io, defaults);
     }
 
     IOdictionary dict(io);
+    if (!dict.found("spacing"))
+    {
+        Info<< "No "
+            << (io.readOpt() == IOobject::NO_READ ? "" : "entry spacing in ")
+            << file << ": particles follow the cells (spacing fromMesh)" << nl
+            << endl;
+        dict.add("spacing", "fromMesh");
+    }
 
     checkEntries(dict, validEntries, file);
     for (const auto& sub : subEntries)
