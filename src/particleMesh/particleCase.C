@@ -153,11 +153,24 @@ Foam::SPH::particleCase::particleCase(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
+void Foam::SPH::particleCase::requireFvm(const Time& runTime)
+{
+    if (particleFiles(runTime).found())
+    {
+        FatalErrorInFunction
+            << runTime.path() << " is a particle case: start this command in"
+            << " the FVM case that it was made from" << exit(FatalError);
+    }
+}
+
+
 Foam::autoPtr<Foam::Time> Foam::SPH::particleCase::openTime
 (
     const Time& runTime
 )
 {
+    requireFvm(runTime);
+
     const fileName path(runTime.path()/folder);
     if (!isFile(path/"system"/"controlDict"))
     {

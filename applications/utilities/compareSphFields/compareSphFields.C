@@ -125,6 +125,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     SPH::printVersion();
     #include "createTime.H"
+    SPH::particleCase::requireFvm(runTime);
     #include "createNamedMesh.H"
 
     const word dictName("compareSphFieldsDict");

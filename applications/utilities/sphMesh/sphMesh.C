@@ -197,6 +197,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
+    particleCase::requireFvm(runTime);
     runTime.setTime(particleCase::startTime(runTime), 0);
     checkRegions(runTime);
 
