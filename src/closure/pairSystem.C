@@ -99,6 +99,9 @@ Foam::SPH::pairSystem::preconditioners() const
     // Of its trace: keeps the block of a particle with parallel faces regular
     constexpr scalar parallelFaces = 1e-6;
 
+    // GAMG refuses matrices that it cannot coarsen
+    constexpr label leastCoarsened = 10;
+
     scalarField least(tr(anchors_));
     forAll(least, i)
     {
@@ -128,7 +131,9 @@ Foam::SPH::pairSystem::preconditioners() const
                 x_.empty()
               ? identity(graph_.nParticles())
               : sortedOrder(x_.component(c)()),
-                x_.empty() ? "GAMG" : "DIC"
+                x_.empty() && graph_.nParticles() > leastCoarsened
+              ? "GAMG"
+              : "DIC"
             )
         );
     }

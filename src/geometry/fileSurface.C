@@ -117,6 +117,39 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::convert
 }
 
 
+Foam::triSurface Foam::SPH::fileSurface::readTriangles
+(
+    const dictionary& dict,
+    const fileName& file,
+    const scalar scale
+)
+{
+    // OpenFOAM's readers do not name the file
+    std::string reason("it has no triangles");
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
+    triSurface triangles;
+    try
+    {
+        triangles = triSurface(file, scale);
+    }
+    catch (const error& e)
+    {
+        reason = e.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+
+    if (triangles.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Surface " << file << " cannot be read: " << reason.c_str()
+            << exit(FatalIOError);
+    }
+    return triangles;
+}
+
+
 Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
 (
     const Time& time,
@@ -145,7 +178,7 @@ Foam::SPH::orientedSurface Foam::SPH::fileSurface::read
             << " Valid: the entry patches instead" << exit(FatalIOError);
     }
 
-    triSurface triangles(file, scale);
+    triSurface triangles(readTriangles(dict, file, scale));
 
     const direction dz = space.axis(2);
     const scalar zMid = space.position(Zero)[dz];

@@ -147,9 +147,11 @@ Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
 
 void Foam::SPH::startFields::write()
 {
+    bool any = false;
     forAllConstIters(objects_, iter)
     {
         const IOobject& io = *iter();
+        any = any || io.headerClassName().startsWith("vol");
         if
         (
             io.headerClassName() == volScalarField::typeName
@@ -158,6 +160,13 @@ void Foam::SPH::startFields::write()
         {
             markJumps(volScalarField(io, mesh_));
         }
+    }
+
+    if (!any)
+    {
+        WarningInFunction
+            << "No fields in " << mesh_.time().timePath()
+            << ": the particle case has none" << endl;
     }
 
     mapType<scalar>();

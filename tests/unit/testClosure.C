@@ -512,6 +512,20 @@ TEST(Closure, scenesOfMicrometresCloseToo)
 }
 
 
+TEST(Closure, aFewParticlesCloseToo)
+{
+    for (const label n : {1, 2, 3, 4})
+    {
+        particleScene scene(testCase::layout(), 1.0/n, 0);
+        const auto m = scene.assemble("order 1;");
+        const auto y = [](const point& p) { return p.y(); };
+
+        EXPECT_EQ(m->nParticles(), n*n);
+        EXPECT_LT(max(mag(gradient(*m, y) - vector(0, 1, 0))), 1e-11);
+    }
+}
+
+
 TEST(Closure, aLatticeThatClosesToTheLastBitStaysAsItIs)
 {
     // Binary fractions: no round-off is left over
