@@ -22,18 +22,25 @@ void Foam::SPH::fieldNorms::addComponent
     const word& component,
     const scalarField& V,
     const scalarField& difference,
-    const scalarField& reference
+    const scalarField& reference,
+    const scalar size
 )
 {
+    // Of the whole: what solvers leave of a component that is zero
+    constexpr scalar roundOff = 1e-12;
+
     const scalar lowest = gMin(reference);
     const scalar highest = gMax(reference);
     const scalar range = highest - lowest;
     const scalar magnitude = max(mag(lowest), mag(highest));
-    const scalar scale = range > SMALL*magnitude ? range : magnitude;
+    const bool none = magnitude <= roundOff*size;
+    const scalar scale =
+        none ? size : range > SMALL*magnitude ? range : magnitude;
 
     const scalarField d(mag(difference));
     const scalar volume = gSum(V);
-    const scalar referenceL2 = sqrt(gSum(V*sqr(reference))/volume);
+    const scalar referenceL2 =
+        none ? size : sqrt(gSum(V*sqr(reference))/volume);
 
     const auto over = [](const scalar absolute, const scalar by)
     {

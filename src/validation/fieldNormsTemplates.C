@@ -22,6 +22,8 @@ void Foam::SPH::fieldNorms::add
 )
 {
     const Field<Type> difference(field - reference);
+    const scalarField magReference(mag(reference));
+    const scalar size = gMax(magReference);
 
     for (const label d : components)
     {
@@ -31,7 +33,8 @@ void Foam::SPH::fieldNorms::add
             pTraits<Type>::componentNames[d],
             V,
             difference.component(d)(),
-            reference.component(d)()
+            reference.component(d)(),
+            size
         );
     }
 
@@ -41,7 +44,8 @@ void Foam::SPH::fieldNorms::add
         pTraits<Type>::rank == 0 ? "value" : "mag",
         V,
         mag(difference)(),
-        pTraits<Type>::rank == 0 ? reference.component(0)() : mag(reference)()
+        pTraits<Type>::rank == 0 ? reference.component(0)() : magReference,
+        size
     );
 }
 

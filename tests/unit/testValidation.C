@@ -197,6 +197,16 @@ TEST(FieldNorms, neverDivideByTheRangeOfAUniformReference)
         "p", labelList(), V, scalarField(3, 1), scalarField(3, 0)
     );
     EXPECT_TRUE(std::isinf(value(fromZero, "value", "L2", true)));
+
+    // A component that is zero but for round-off
+    vectorField reference(3, vector(2, 0, 0));
+    reference[1].z() = 1e-17;
+    fieldNorms thin;
+    thin.add<vector>
+    (
+        "U", labelList({2}), V, vectorField(3, vector(2, 0, 0.1)), reference
+    );
+    EXPECT_NEAR(value(thin, "z", "L1", true), 0.05, 1e-14);
 }
 
 
