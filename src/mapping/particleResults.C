@@ -55,10 +55,14 @@ Foam::word Foam::SPH::particleResults::timeName
 }
 
 
-void Foam::SPH::particleResults::requireWhole() const
+void Foam::SPH::particleResults::requireWhole
+(
+    const Time& runTime,
+    const char* command
+)
 {
-    const fileName path(time_->path());
-    const scalar latest = times().last().value();
+    const fileName path(runTime.path());
+    const scalar latest = runTime.times().last().value();
 
     for (const fileName& name : readDir(path, fileName::DIRECTORY))
     {
@@ -70,7 +74,7 @@ void Foam::SPH::particleResults::requireWhole() const
         DynamicList<instant> parts;
         for (const instant& t : Time::findTimes(path/name))
         {
-            if (t.name() != time_->constant())
+            if (t.name() != runTime.constant())
             {
                 parts.append(t);
             }
@@ -83,8 +87,7 @@ void Foam::SPH::particleResults::requireWhole() const
         OStringStream os;
         os  << "Time " << parts.last().name() << " is in " << path/name
             << ", but not in " << path << ". Put the results of the parallel"
-            << " run together with 'reconstructPar -case " << path.name()
-            << "'";
+            << " run together with '" << command << "'";
         if (latest <= parts.first().value())
         {
             FatalErrorInFunction << os.str().c_str() << exit(FatalError);

@@ -153,6 +153,10 @@ int main(int argc, char *argv[])
     {
         particles.reset(new SPH::particleResults(runTime));
         particles->requireWhole();
+        if (!Pstream::parRun() && !args.found("reference"))
+        {
+            SPH::particleResults::requireWhole(runTime, "reconstructPar");
+        }
         mapNewFields(args, runTime, mesh, *particles, reference);
     }
 
