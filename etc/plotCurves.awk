@@ -109,7 +109,8 @@ END {
     text(0.5*width, 24, "middle", title)
     text(0.5*(left + width - right), height - 14, "middle", xLabel)
     printf "<text transform=\"translate(18 %.1f) rotate(-90)\" " \
-        "text-anchor=\"middle\">%s</text>\n", 0.5*(top + height - bottom), yLabel
+        "text-anchor=\"middle\">%s</text>\n",
+        0.5*(top + height - bottom), yLabel
 
     # Decades, not more than about ten of them
     step = floor((yMax - yMin - 1)/10) + 1

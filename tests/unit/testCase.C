@@ -95,7 +95,10 @@ class hexBox
         forAll(f, pi)
         {
             const auto& step = hexFaces[facei][pi];
-            const labelVector vertex(ijk + labelVector(step[0], step[1], step[2]));
+            const labelVector vertex
+            (
+                ijk + labelVector(step[0], step[1], step[2])
+            );
 
             label& pointi = pointMap_
             [

@@ -298,7 +298,8 @@ TEST_P(Closure, boundaryFacesMirrorTheFacesOfTheMesh)
 {
     for (const char* type : {"order 0;", "order 1;"})
     {
-        EXPECT_LT(mirrorError(scene->mesh(), *scene->assemble(type)), 1e-13) << type;
+        EXPECT_LT(mirrorError(scene->mesh(), *scene->assemble(type)), 1e-13)
+            << type;
     }
 
     const auto m = scene->assemble("order 0;");

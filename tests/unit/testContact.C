@@ -152,7 +152,11 @@ List<scalarField> afterStep
 }
 
 
-List<scalarField> uniform(const particleMesh& particles, const scalarList& state)
+List<scalarField> uniform
+(
+    const particleMesh& particles,
+    const scalarList& state
+)
 {
     List<scalarField> W(state.size());
     forAll(W, v)

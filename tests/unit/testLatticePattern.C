@@ -123,7 +123,11 @@ TEST(LatticePattern, sitesHaveUnitVolume)
 {
     for (label nDims = 1; nDims <= 3; ++nDims)
     {
-        for (const auto type : {latticePattern::SQUARE, latticePattern::HEXAGONAL})
+        for
+        (
+            const auto type
+          : {latticePattern::SQUARE, latticePattern::HEXAGONAL}
+        )
         {
             const latticePattern pattern(type, nDims);
             const vector& cell = pattern.cell();
@@ -146,7 +150,10 @@ TEST(LatticePattern, neighboursOfClosestPackings)
         label nDims;
         label nNearest;
         scalar distance;
-    } packings[] = {{2, 6, std::pow(4.0/3, 0.25)}, {3, 12, std::pow(2.0, 1.0/6)}};
+    } packings[] =
+    {
+        {2, 6, std::pow(4.0/3, 0.25)}, {3, 12, std::pow(2.0, 1.0/6)}
+    };
 
     for (const auto& packing : packings)
     {

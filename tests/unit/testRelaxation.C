@@ -557,8 +557,8 @@ TEST(Relaxation, badInputIsNamed)
         (
             [&]
             {
-                particleGenerator generator(square.mesh(), sphMeshDict(content));
-                generator.generate();
+                particleGenerator(square.mesh(), sphMeshDict(content))
+               .generate();
             }
         );
     };

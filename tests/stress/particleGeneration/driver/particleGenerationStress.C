@@ -289,7 +289,10 @@ int main(int argc, char *argv[])
     argList::addOption("first", "label", "First seed");
     argList::addOption("last", "label", "Last seed");
     argList::addOption("step", "label", "From one seed to the next, default 1");
-    argList::addOption("limit", "seconds", "Processor time for each scene, default 30");
+    argList::addOption
+    (
+        "limit", "seconds", "Processor time for each scene, default 30"
+    );
     argList::addBoolOption("write", "Write mesh and particles to the case");
 
     #include "setRootCase.H"
