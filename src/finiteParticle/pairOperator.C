@@ -160,22 +160,16 @@ template<class Flux, class Limiter, bool Viscous>
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
 (
     const Flux& flux,
+    const bool limitByParticle,
+    const bool quadraticWall,
     const dictionary& schemes,
     faceStates& faces
 )
 :
     conservationLaw(schemes, faces, nVars),
     flux_(flux),
-    limitByParticle_
-    (
-        Limiter::linear
-     && schemes.getOrDefault<word>("limiter", "none") == "BarthJespersen"
-    ),
-    quadraticWall_
-    (
-        Limiter::linear
-     && schemes.getOrDefault<word>("wallGradient", "quadratic") == "quadratic"
-    ),
+    limitByParticle_(limitByParticle),
+    quadraticWall_(quadraticWall),
     G_(0, 0),
     gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr),
     fluxes_(0, 0)
@@ -484,26 +478,11 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
     faceStates& faces
 )
 {
-    const auto select = [&](auto limiter)
-    {
-        using Limiter = decltype(limiter);
-
-        return autoPtr<conservationLaw>
-        (
-            viscous
-          ? static_cast<conservationLaw*>
-            (
-                new pairOperator<Flux, Limiter, true>(flux, schemes, faces)
-            )
-          : new pairOperator<Flux, Limiter, false>(flux, schemes, faces)
-        );
-    };
-
     const word reconstruction
     (
         checkedWord(schemes, "reconstruction", "linear", {"linear", "none"})
     );
-    const word limiter
+    const word limiterName
     (
         checkedWord
         (
@@ -516,25 +495,53 @@ Foam::autoPtr<Foam::SPH::conservationLaw> Foam::SPH::selectOperator
             }
         )
     );
-    checkedWord(schemes, "wallGradient", "quadratic", {"linear", "quadratic"});
+    const word wallGradient
+    (
+        checkedWord
+        (
+            schemes, "wallGradient", "quadratic", {"linear", "quadratic"}
+        )
+    );
+
+    const auto select = [&](auto limiter)
+    {
+        const auto make = [&](auto isViscous)
+        {
+            return autoPtr<conservationLaw>
+            (
+                new pairOperator
+                <
+                    Flux, decltype(limiter), decltype(isViscous)::value
+                >
+                (
+                    flux,
+                    limiterName == "BarthJespersen",
+                    wallGradient == "quadratic",
+                    schemes,
+                    faces
+                )
+            );
+        };
+        return viscous ? make(std::true_type()) : make(std::false_type());
+    };
 
     if (reconstruction == "none")
     {
         return select(limiters::firstOrder());
     }
-    if (limiter == "Minmod")
+    if (limiterName == "Minmod")
     {
         return select(limiters::Minmod());
     }
-    if (limiter == "MUSCL")
+    if (limiterName == "MUSCL")
     {
         return select(limiters::MUSCL());
     }
-    if (limiter == "vanAlbada")
+    if (limiterName == "vanAlbada")
     {
         return select(limiters::vanAlbada());
     }
-    if (limiter == "vanLeer")
+    if (limiterName == "vanLeer")
     {
         return select(limiters::vanLeer());
     }
