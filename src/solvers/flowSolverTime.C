@@ -148,25 +148,6 @@ void Foam::SPH::flowSolver::step
 }
 
 
-void Foam::SPH::flowSolver::printDrift() const
-{
-    const vector2D sums
-    (
-        returnReduce(vector2D(sqrU_, sqrChange_), sumOp<vector2D>())
-    );
-    const scalar sqrU = sums.x();
-    const scalar sqrChange = sums.y();
-
-    if (sqrU > 0)
-    {
-        const scalar change = Foam::sqrt(sqrChange/sqrU);
-        const scalar passage = longestSide()/Foam::sqrt(sqrU/volume_);
-
-        Info<< "Drift of U: " << change*passage/runTime_.deltaTValue() << endl;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::flowSolver::setDeltaT()
@@ -242,9 +223,25 @@ void Foam::SPH::flowSolver::advance()
         nDropped_ = 0;
         nHalved_ = 0;
     }
+}
 
-    updateFields();
-    printDrift();
+
+void Foam::SPH::flowSolver::printDrift() const
+{
+    const vector2D sums
+    (
+        returnReduce(vector2D(sqrU_, sqrChange_), sumOp<vector2D>())
+    );
+    const scalar sqrU = sums.x();
+    const scalar sqrChange = sums.y();
+
+    if (sqrU > 0)
+    {
+        const scalar change = Foam::sqrt(sqrChange/sqrU);
+        const scalar passage = longestSide()/Foam::sqrt(sqrU/volume_);
+
+        Info<< "Drift of U: " << change*passage/runTime_.deltaTValue() << endl;
+    }
 }
 
 

@@ -15,17 +15,56 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "fvCFD.H"
 #include "compressibleFlow.H"
-#include "runSolver.H"
+#include "treatedParticleMesh.H"
+#include "version.H"
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    return Foam::SPH::runSolver<Foam::SPH::compressibleFlow>
+    argList::addNote
     (
-        argc,
-        argv,
         "Eulerian SPH solver for compressible laminar flow"
     );
+    flowSolver::addOptions();
+
+    #include "setRootCaseLists.H"
+    printVersion();
+    #include "createTime.H"
+    #include "createReadMesh.H"
+
+    flowSolver::checkCase(args, mesh);
+    autoPtr<particleMesh> particles(treatedParticleMesh(mesh));
+    compressibleFlow flow(runTime, *particles);
+
+    #include "startTimeLoop.H"
+
+    while (runTime.run())
+    {
+        flow.setDeltaT();
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        // Mass, momentum and energy of all particles, by the fluxes
+        // between them, in one stable step or in several
+        flow.advance();
+
+        // p, T and U with their boundary values
+        flow.updateFields();
+
+        flow.printDrift();
+        flow.write();
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
 }
 
 

@@ -15,17 +15,56 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "fvCFD.H"
 #include "weaklyCompressibleFlow.H"
-#include "runSolver.H"
+#include "treatedParticleMesh.H"
+#include "version.H"
+
+using namespace Foam;
+using namespace Foam::SPH;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    return Foam::SPH::runSolver<Foam::SPH::weaklyCompressibleFlow>
+    argList::addNote
     (
-        argc,
-        argv,
         "Weakly compressible Eulerian SPH solver for laminar flow"
     );
+    flowSolver::addOptions();
+
+    #include "setRootCaseLists.H"
+    printVersion();
+    #include "createTime.H"
+    #include "createReadMesh.H"
+
+    flowSolver::checkCase(args, mesh);
+    autoPtr<particleMesh> particles(treatedParticleMesh(mesh));
+    weaklyCompressibleFlow flow(runTime, *particles);
+
+    #include "startTimeLoop.H"
+
+    while (runTime.run())
+    {
+        flow.setDeltaT();
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        // Pressure and momentum of all particles, by the fluxes
+        // between them, in one stable step or in several
+        flow.advance();
+
+        // p and U with their boundary values
+        flow.updateFields();
+
+        flow.printDrift();
+        flow.write();
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
 }
 
 
