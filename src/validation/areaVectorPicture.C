@@ -11,6 +11,7 @@ License
 #include "emptyPolyPatch.H"
 #include "fieldPicture.H"
 #include "meshSlice.H"
+#include "polygonList.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -45,41 +46,41 @@ namespace
     //- A shaft and a head for each arrow, with lengths times scale
     struct arrowShapes
     {
-        pointField points;
-        faceList polygons;
-        scalarField values;
+        polygonList polygons;
+        DynamicList<scalar> values;
 
         arrowShapes(const arrows& a, const scalar scale)
         {
             const scalar shaft = 0.03;
             const scalar head = 0.12;
 
-            DynamicList<point> corners;
-            DynamicList<face> shapes;
-            DynamicList<scalar> colours;
             forAll(a.tails, i)
             {
                 const point& tail = a.tails[i];
                 const vector along(scale*a.lengths[i]);
                 const vector across(-along.y(), along.x(), 0);
 
-                shapes.append(face(identity(4, corners.size())));
-                corners.append(tail - shaft*across);
-                corners.append(tail + 0.7*along - shaft*across);
-                corners.append(tail + 0.7*along + shaft*across);
-                corners.append(tail + shaft*across);
-
-                shapes.append(face(identity(3, corners.size())));
-                corners.append(tail + 0.7*along - head*across);
-                corners.append(tail + along);
-                corners.append(tail + 0.7*along + head*across);
-
-                colours.append(mag(a.lengths[i]));
-                colours.append(mag(a.lengths[i]));
+                polygons.add
+                (
+                    List<point>
+                    ({
+                        tail - shaft*across,
+                        tail + 0.7*along - shaft*across,
+                        tail + 0.7*along + shaft*across,
+                        tail + shaft*across
+                    })
+                );
+                polygons.add
+                (
+                    List<point>
+                    ({
+                        tail + 0.7*along - head*across,
+                        tail + along,
+                        tail + 0.7*along + head*across
+                    })
+                );
+                values.append(scalarList(2, mag(a.lengths[i])));
             }
-            points = corners;
-            polygons = shapes;
-            values = colours;
         }
     };
 }
@@ -157,14 +158,16 @@ void Foam::SPH::writeAreaVectorPicture
         slice.upName() + " [m]",
         {{"|A| [m]", 0, longest, colourMap::sequential}}
     );
-    picture.add
-    ({
-        "FVM faces", left.points, left.polygons, left.values, 0, 0, false
-    });
-    picture.add
-    ({
-        "Particles", right.points, right.polygons, right.values, 0, 0, false
-    });
+    const auto addPanel = [&](const std::string& title, const arrowShapes& a)
+    {
+        picture.add
+        ({
+            title, a.polygons.points(), a.polygons.polygons(),
+            scalarField(a.values), 0, 0, false
+        });
+    };
+    addPanel("FVM faces", left);
+    addPanel("Particles", right);
     picture.write(file);
 }
 

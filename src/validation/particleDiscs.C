@@ -8,19 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "particleDiscs.H"
-#include "mathematicalConstants.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace SPH
-{
-    //- Corners of a disc
-    static constexpr label nCorners = 12;
-}
-}
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -31,17 +18,10 @@ Foam::SPH::particleDiscs::particleDiscs
     const boundBox& box
 )
 :
-    results_(results),
-    particles_(),
-    points_(),
-    polygons_()
+    results_(results)
 {
     const vectorField& centres = results.mesh().cellCentres();
     const scalarField& spacing = results.spacing();
-
-    DynamicList<label> particles;
-    DynamicList<point> points;
-    DynamicList<face> polygons;
 
     forAll(centres, i)
     {
@@ -56,23 +36,9 @@ Foam::SPH::particleDiscs::particleDiscs
             continue;
         }
 
-        particles.append(i);
-        polygons.append(face(identity(nCorners, points.size())));
-        for (label corner = 0; corner < nCorners; ++corner)
-        {
-            const scalar angle =
-                Foam::constant::mathematical::twoPi*corner/nCorners;
-            points.append
-            (
-                centre
-              + 0.5*spacing[i]*vector(Foam::cos(angle), Foam::sin(angle), 0)
-            );
-        }
+        particles_.append(i);
+        discs_.add(12, centre, spacing[i]);
     }
-
-    particles_.transfer(particles);
-    points_.transfer(points);
-    polygons_.transfer(polygons);
 }
 
 

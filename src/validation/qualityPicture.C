@@ -9,42 +9,8 @@ License
 
 #include "qualityPicture.H"
 #include "fieldPicture.H"
-#include "mathematicalConstants.H"
 #include "meshSlice.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace SPH
-{
-    //- Corners of a regular polygon whose inner circle has the given diameter
-    static void addPolygon
-    (
-        const label nCorners,
-        const point& centre,
-        const scalar diameter,
-        DynamicList<point>& points,
-        DynamicList<face>& polygons
-    )
-    {
-        using constant::mathematical::pi;
-
-        const scalar radius = 0.5*diameter/Foam::cos(pi/nCorners);
-
-        polygons.append(face(identity(nCorners, points.size())));
-        for (label corner = 0; corner < nCorners; ++corner)
-        {
-            const scalar angle = (2*corner + 1)*pi/nCorners;
-            points.append
-            (
-                centre + radius*vector(Foam::cos(angle), Foam::sin(angle), 0)
-            );
-        }
-    }
-}
-}
-
+#include "polygonList.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -69,8 +35,7 @@ void Foam::SPH::writeQualityPicture
     const particleSurroundings& all = quality.surroundings();
     const scalarField gradientSum(quality.kernelGradientSum());
 
-    DynamicList<point> points;
-    DynamicList<face> polygons;
+    polygonList shapes;
     DynamicList<scalar> values;
     forAll(gradientSum, i)
     {
@@ -87,12 +52,10 @@ void Foam::SPH::writeQualityPicture
         }
 
         const bool solid = all.body()[i] > 0;
-        addPolygon(solid ? 4 : 12, centre, 0.95*dp, points, polygons);
+        shapes.add(solid ? 4 : 12, centre, 0.95*dp);
         values.append(Foam::log10(max(gradientSum[i], VSMALL)));
     }
 
-    const pointField corners(points);
-    const faceList shapes(polygons);
     fieldPicture picture
     (
         "Particles of fluid (discs) and solids (squares)",
@@ -101,7 +64,10 @@ void Foam::SPH::writeQualityPicture
         slice.upName() + " [m]",
         {{"log10 |sum V gradW| dp", -5, 0, colourMap::sequential}}
     );
-    picture.add({"", corners, shapes, scalarField(values), 0, 0, false});
+    picture.add
+    ({
+        "", shapes.points(), shapes.polygons(), scalarField(values), 0, 0, false
+    });
     picture.write(file);
 }
 
