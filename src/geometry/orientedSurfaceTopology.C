@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "orientedSurface.H"
-#include "mathematicalConstants.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -252,57 +251,6 @@ Foam::labelList Foam::SPH::orientedSurface::parts(label& nParts) const
     }
 
     return labelList();
-}
-
-
-Foam::List<Foam::SPH::orientedSurface::feature>
-Foam::SPH::orientedSurface::features(const scalar minDeviation) const
-{
-    const scalar pi = constant::mathematical::pi;
-
-    const List<side> allSides(sides());
-    const labelList starts(groups(allSides));
-
-    DynamicList<feature> features;
-
-    for (label g = 0; g + 1 < starts.size(); ++g)
-    {
-        if (starts[g+1] - starts[g] != 2)
-        {
-            continue;
-        }
-
-        const side& s0 = allSides[starts[g]];
-        const side& s1 = allSides[starts[g] + 1];
-
-        const vector n0(space_.toLocal(areaVector(s0.elementi)));
-        const vector n1(space_.toLocal(areaVector(s1.elementi)));
-
-        const scalar turn = atan2(mag(n0 ^ n1), n0 & n1);
-
-        // The neighbour lies behind the plane of a convex corner
-        const vector across
-        (
-            space_.toLocal(centre(s1.elementi) - centre(s0.elementi))
-        );
-        const scalar angle = (across & n0) > 0 ? pi + turn : pi - turn;
-
-        if (turn > minDeviation)
-        {
-            features.append
-            (
-                {
-                    space_.nDims() == 3
-                  ? s0.vertices
-                  : labelPair(s0.vertices.second(), -1),
-                    angle,
-                    labelPair(s0.elementi, s1.elementi)
-                }
-            );
-        }
-    }
-
-    return List<feature>(std::move(features));
 }
 
 

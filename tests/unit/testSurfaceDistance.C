@@ -253,19 +253,6 @@ TEST(SurfaceDistance, randomPolygonsHaveTheRightSign)
 }
 
 
-TEST(SurfaceDistance, cornerAnglesAreThoseOfTheRegion)
-{
-    const auto corners = angle().features(0.1);
-
-    ASSERT_EQ(corners.size(), 6);
-    for (const auto& corner : corners)
-    {
-        const bool concave = corner.vertices.first() == 3;
-        EXPECT_NEAR(corner.angle, (concave ? 1.5 : 0.5)*pi, 1e-14);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Three dimensions  * * * * * * * * * * * * //
 
 TEST(SurfaceDistance, boxIsExactInThreeDimensions)
