@@ -12,7 +12,7 @@ Description
     Makes a 2-D mesh of triangular prisms around any polygons, for bodies that
     are tedious to describe to blockMesh.
 
-    Reads system/polygonMeshDict, see src/geometry/polygonMesh.H.
+    Reads system/polygonMeshDict, see trianglePrisms.H.
 
 Usage
     \b polygonMesh [OPTION]
@@ -25,7 +25,7 @@ Usage
 #include "argList.H"
 #include "Time.H"
 #include "IOdictionary.H"
-#include "polygonMesh.H"
+#include "trianglePrisms.H"
 #include "version.H"
 
 using namespace Foam;

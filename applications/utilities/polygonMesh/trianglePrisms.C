@@ -17,7 +17,7 @@ License
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
 
-#include "polygonMesh.H"
+#include "trianglePrisms.H"
 #include "trapsOff.H"
 #include "cellModel.H"
 #include "IFstream.H"
