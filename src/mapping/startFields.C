@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "startFields.H"
+#include "cellSpacing.H"
 #include "meshSearch.H"
 #include "particleFiles.H"
 #include "scalarIOField.H"
@@ -102,11 +103,11 @@ void Foam::SPH::startFields::markJumps(const volScalarField& field)
         return;
     }
 
-    const scalarField mapped(toParticles_.map(field));
+    const scalarField between(mapped(field));
     forAll(cells_, i)
     {
         const scalar value = values[cells_[i]];
-        const scalar change = mag(mapped[i] - value);
+        const scalar change = mag(between[i] - value);
         const bool bound = value == lowest || value == highest;
 
         if
@@ -131,9 +132,12 @@ Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
     objects_(mesh, mesh.time().timeName()),
     toParticles_
     (
-        mesh,
-        particles_.cellCentres(),
-        scalarIOField(particleFiles(particles_.time()).arrayIO("spacing"))
+        solutionSpace(mesh),
+        {mesh.cellCentres(), cellSpacing(solutionSpace(mesh), mesh)},
+        {
+            particles_.cellCentres(),
+            scalarIOField(particleFiles(particles_.time()).arrayIO("spacing"))
+        }
     ),
     cells_(),
     beside_(particles_.nCells(), false),

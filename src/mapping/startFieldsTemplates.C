@@ -160,6 +160,18 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
 
 
 template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::SPH::startFields::mapped
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field
+) const
+{
+    auto tvalues = tmp<Field<Type>>::New(toParticles_.size());
+    toParticles_.map(field.primitiveField(), tvalues.ref(), true);
+    return tvalues;
+}
+
+
+template<class Type>
 void Foam::SPH::startFields::mapField
 (
     const GeometricField<Type, fvPatchField, volMesh>& field
@@ -173,7 +185,7 @@ void Foam::SPH::startFields::mapField
         return;
     }
 
-    Field<Type> values(toParticles_.map(field));
+    Field<Type> values(mapped(field));
     forAll(values, i)
     {
         if (beside_[i])
@@ -182,7 +194,7 @@ void Foam::SPH::startFields::mapField
         }
     }
 
-    fieldType mapped
+    fieldType particleField
     (
         IOobject
         (
@@ -196,18 +208,18 @@ void Foam::SPH::startFields::mapField
         particles_,
         dimensioned<Type>(field.dimensions(), Zero)
     );
-    mapped.primitiveFieldRef() = values;
+    particleField.primitiveFieldRef() = values;
 
-    forAll(mapped.boundaryField(), patchi)
+    forAll(particleField.boundaryField(), patchi)
     {
-        mapped.boundaryFieldRef().set
+        particleField.boundaryFieldRef().set
         (
-            patchi, mapPatch(field, patchi, mapped.internalField())
+            patchi, mapPatch(field, patchi, particleField.internalField())
         );
     }
 
     const unsigned precision = IOstream::defaultPrecision(12);
-    particleFiles::checkWritten(mapped.write(), mapped);
+    particleFiles::checkWritten(particleField.write(), particleField);
     IOstream::defaultPrecision(precision);
     case_.files().add(file);
 }

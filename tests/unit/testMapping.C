@@ -9,7 +9,6 @@ License
 
 #include "particleScene.H"
 #include "DynamicList.H"
-#include "meshToParticles.H"
 #include "movingLeastSquares.H"
 #include "OSspecific.H"
 #include "particlesToMesh.H"
@@ -114,24 +113,6 @@ scalarField mapped
     scalarField result(to.size());
     map.map(values(from, f), result);
     return result;
-}
-
-
-//- A jittered lattice in the box of a case's mesh
-pointField latticeIn(const fvMesh& mesh, const label n)
-{
-    const solutionSpace space(mesh);
-    const vector span(mesh.bounds().span());
-
-    pointField points(lattice(space.nDims(), n, 0.4));
-    for (point& p : points)
-    {
-        p = space.position
-        (
-            space.toLocal(mesh.bounds().min() + cmptMultiply(p, span))
-        );
-    }
-    return points;
 }
 
 
@@ -421,33 +402,6 @@ TEST(MovingLeastSquares, needsSources)
             }
         ).find("from no points"),
         std::string::npos
-    );
-}
-
-
-TEST(MeshToParticles, keepsUniformFieldsAndLinearOnes)
-{
-    testCase box(testCase::layout{});
-    const fvMesh& mesh = box.mesh();
-    const pointField points(latticeIn(mesh, 13));
-    const meshToParticles mapper
-    (
-        mesh, points, scalarField(points.size(), 1.0/13)
-    );
-
-    const scalar value = 1.0/3.0;
-    const scalarField uniform(mapper.map(cellField(mesh, value)));
-    for (const scalar v : uniform)
-    {
-        EXPECT_EQ(v, value);
-    }
-
-    volScalarField cells(cellField(mesh, 0));
-    cells.primitiveFieldRef() = values(mesh.cellCentres(), linear);
-    EXPECT_LT
-    (
-        max(mag(mapper.map(cells, false) - values(points, linear))),
-        1e-8
     );
 }
 
