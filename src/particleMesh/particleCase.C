@@ -41,22 +41,6 @@ namespace SPH
     //- them are written
     static const word newFolder("new");
 
-    static autoPtr<Time> makeTime(const fileName& path)
-    {
-        return autoPtr<Time>
-        (
-            new Time
-            (
-                Time::controlDictName,
-                path.path(),
-                fileName(path.name()),
-                word("system"),
-                word("constant"),
-                false
-            )
-        );
-    }
-
     static void moveFile(const fileName& from, const fileName& to)
     {
         if (!mv(from, to))
@@ -116,7 +100,7 @@ void Foam::SPH::particleCase::readMesh()
 {
     if (!timePtr_.valid())
     {
-        timePtr_ = makeTime(path_);
+        timePtr_ = caseTime(path_);
         timePtr_->setTime(startTime(mesh_.time()), 0);
     }
     if (!particleMeshPtr_.valid())
@@ -164,6 +148,23 @@ void Foam::SPH::particleCase::requireFvm(const Time& runTime)
 }
 
 
+Foam::autoPtr<Foam::Time> Foam::SPH::particleCase::caseTime
+(
+    const fileName& path
+)
+{
+    return autoPtr<Time>::New
+    (
+        Time::controlDictName,
+        path.path(),
+        fileName(path.name()),
+        word("system"),
+        word("constant"),
+        false
+    );
+}
+
+
 Foam::autoPtr<Foam::Time> Foam::SPH::particleCase::openTime
 (
     const Time& runTime
@@ -179,7 +180,7 @@ Foam::autoPtr<Foam::Time> Foam::SPH::particleCase::openTime
             << ". Generate it with sphMesh" << exit(FatalError);
     }
 
-    autoPtr<Time> timePtr(makeTime(path));
+    autoPtr<Time> timePtr(caseTime(path));
     particleFiles(*timePtr).requireCurrent();
     return timePtr;
 }
@@ -225,14 +226,14 @@ Foam::word Foam::SPH::particleCase::digest() const
     }
 
     return
-        particleFiles(makeTime(path_)()).properties()
+        particleFiles(caseTime(path_)()).properties()
        .getOrDefault<word>("digest", word::null);
 }
 
 
 void Foam::SPH::particleCase::updateSource() const
 {
-    const autoPtr<Time> timePtr(makeTime(path_));
+    const autoPtr<Time> timePtr(caseTime(path_));
     const particleFiles files(*timePtr);
     dictionary properties(files.properties());
     const dictionary source
@@ -297,7 +298,7 @@ void Foam::SPH::particleCase::writeMesh
 
     // Those may have looked at the particles that are replaced here
     particleMeshPtr_.clear();
-    timePtr_ = makeTime(path_);
+    timePtr_ = caseTime(path_);
     timePtr_->setTime(startTime(mesh_.time()), 0);
 
     // A complete new folder replaces the old one at the end, so that an

@@ -9,6 +9,7 @@ License
 
 #include "referenceCase.H"
 #include "cellSpacing.H"
+#include "particleCase.H"
 #include "OSspecific.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -40,18 +41,7 @@ Foam::SPH::referenceCase::referenceCase
             << " system/controlDict" << exit(FatalError);
     }
 
-    otherTime_.reset
-    (
-        new Time
-        (
-            Time::controlDictName,
-            path.path(),
-            fileName(path.name()),
-            word("system"),
-            word("constant"),
-            false
-        )
-    );
+    otherTime_ = particleCase::caseTime(path);
     otherMesh_.reset
     (
         new fvMesh
