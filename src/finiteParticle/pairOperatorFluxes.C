@@ -390,6 +390,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
 
         // What comes in undisturbed is no change
         const auto type = faces_.type(facei);
+        const prescribed gives = faces_.gives(Flux::pressure, facei);
         bool still = sleeping && !faces_.reflects(facei);
         for (int v = 0; still && v < nVars; ++v)
         {
@@ -399,9 +400,9 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
         const typename Flux::faceFlux F
         (
             type == faceStates::given
-          ? flux_.givenFlux(L, absorbing, I, n)
+          ? flux_.givenFlux(L, absorbing, I, n, gives)
           : type == faceStates::open
-          ? flux_.openFlux(L, absorbing, I, n)
+          ? flux_.openFlux(L, absorbing, I, n, gives)
           : reflectedFlux(L, outer, I, n, facei)
         );
 

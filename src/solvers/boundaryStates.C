@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "boundaryStates.H"
+#include "advectiveFvPatchField.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "mixedFvPatchFields.H"
 
@@ -84,7 +85,12 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
     {
         const fvPatchScalarField& sp = s.field.boundaryField()[patchi];
         const bool fixes = sp.fixesValue();
-        const auto* mixed = isA<mixedFvPatchScalarField>(sp);
+
+        // The values of advective conditions follow a wave that leaves
+        const auto* mixed =
+            isA<advectiveFvPatchField<scalar>>(sp)
+          ? nullptr
+          : isA<mixedFvPatchScalarField>(sp);
         forAll(face, k)
         {
             given_[s.variable][patch.start() + k] =

@@ -464,6 +464,91 @@ TEST(RiemannSolvers, StopAGasWithTheShockRelations)
 }
 
 
+TEST(RiemannSolvers, MeetThePressureOrTheVelocityOfAnOpenFace)
+{
+    // Behind the wave that the face sends into the gas: the jump conditions of
+    // a shock, or entropy and Riemann invariant of an expansion
+    const KurganovFlux<2> flux(air);
+    const scalar gamma = air.gamma;
+    const scalar c = std::sqrt(gamma*air.R*300);
+    const scalar rho = 1e5/(air.R*300);
+
+    const auto checkWave = [&](const auto& F, const scalar u, const scalar p)
+    {
+        const scalar uStar = (F.momentum[0] - p)/F.mass;
+        const scalar rhoStar = F.mass/uStar;
+        const scalar step = p - 1e5;
+        if (step > 0)
+        {
+            EXPECT_NEAR(sqr(u - uStar)/(step*(1/rho - 1/rhoStar)), 1, 1e-9);
+            EXPECT_NEAR
+            (
+                (p/rhoStar - 1e5/rho)
+               /((gamma - 1)*0.5*(p + 1e5)*(1/rho - 1/rhoStar)),
+                1,
+                1e-9
+            );
+        }
+        else
+        {
+            EXPECT_NEAR(p/1e5/std::pow(rhoStar/rho, gamma), 1, 1e-9);
+            EXPECT_NEAR
+            (
+                uStar + 2*std::sqrt(gamma*p/rhoStar)/(gamma - 1),
+                u + 2*c/(gamma - 1),
+                1e-7*c
+            );
+        }
+    };
+
+    for (const scalar u : {100.0, 200.0})
+    {
+        const KurganovFlux<2>::vars gas{{300, u, 7, 1e5}};
+        for (const scalar p : {0.8e5, 1.2e5})
+        {
+            const KurganovFlux<2>::vars outer{{350, u, 9, p}};
+            const auto F =
+                flux.openFlux(gas, outer, gas, {{1, 0}}, prescribed::pressure);
+            EXPECT_GT(F.mass, 0);
+            EXPECT_NEAR(F.momentum[1], 7*F.mass, 1e-9*F.mass);
+            checkWave(F, u, p);
+        }
+        for (const scalar uStar : {80.0, 240.0})
+        {
+            const KurganovFlux<2>::vars outer{{350, uStar, 9, 1e5}};
+            const auto F =
+                flux.openFlux(gas, outer, gas, {{1, 0}}, prescribed::velocity);
+            checkWave(F, u, F.momentum[0] - F.mass*uStar);
+        }
+    }
+
+    // What flows in is gas of the patch; what flows out at Mach 2 does not
+    // feel the pressure there; at equal states nothing changes
+    const KurganovFlux<2>::vars still{{300, 0, 7, 1e5}};
+    const KurganovFlux<2>::vars above{{350, 0, 9, 1.1e5}};
+    const auto in =
+        flux.openFlux(still, above, still, {{1, 0}}, prescribed::pressure);
+    const scalar uIn = (in.momentum[0] - 1.1e5)/in.mass;
+    EXPECT_NEAR(in.mass/uIn, 1.1e5/(air.R*350), 1e-9);
+    EXPECT_NEAR(in.momentum[1], 9*in.mass, 1e-9*mag(in.mass));
+
+    const KurganovFlux<2>::vars fast{{300, 2*c, 7, 1e5}};
+    for (const auto gives : {prescribed::pressure, prescribed::velocity})
+    {
+        const auto out = flux.openFlux(fast, above, fast, {{1, 0}}, gives);
+        const auto none = flux.openFlux(still, still, still, {{1, 0}}, gives);
+        for (int v = 0; v < 4; ++v)
+        {
+            EXPECT_EQ(none.difference[v], 0);
+            if (gives == prescribed::pressure)
+            {
+                EXPECT_EQ(out.difference[v], 0);
+            }
+        }
+    }
+}
+
+
 TEST(Limiters, KeepEqualSlopesAndStopAtExtrema)
 {
     // A line: increment half the difference
