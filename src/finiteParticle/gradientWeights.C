@@ -121,9 +121,13 @@ Foam::SPH::gradientWeights::gradientWeights(const faceStates& faces)
         tensorField M(moments);
         for (const label facei : members[groupi])
         {
+            // What is mirrored has no difference along the plane, wherever on
+            // it the centre of the face is
+            const vector& n = faces.n()[facei];
+            const vector& r = faces.relative()[facei];
             M[particles.boundary().faces().owner[facei]] +=
-                faces.magSf()[facei]
-               *faces.n()[facei]*faces.relative()[facei];
+                faces.magSf()[facei]*n
+               *(faces.type(facei) == faceStates::slip ? n*(n & r) : r);
         }
 
         B_.append

@@ -582,12 +582,16 @@ TEST(GradientWeights, AreExactForLinearFields)
 {
     const vector slope(3, -2, 0);
 
-    for (const bool withFaces : {false, true})
+    // Pairs alone, with faces of given value, with faces that mirror: those
+    // differ from their particle along the normal alone
+    for (const int withFaces : {0, 1, 2})
     {
+        const bool mirrored = withFaces == 2;
         givenStates faces(particles(), 1);
         if (withFaces)
         {
             faces.set(0, 0);
+            faces.setTreatment(mirrored ? faceStates::slip : faceStates::open);
         }
         const gradientWeights weights(faces);
         EXPECT_EQ(weights.nDeficient(), 0);
@@ -609,9 +613,9 @@ TEST(GradientWeights, AreExactForLinearFields)
             forAll(b.owner, facei)
             {
                 const label i = b.owner[facei];
-                S[i] +=
-                    (slope & (b.Cf[facei] - particles().C()[i]))
-                   *b.Sf[facei];
+                const vector n(b.Sf[facei]/mag(b.Sf[facei]));
+                const vector r(b.Cf[facei] - particles().C()[i]);
+                S[i] += (slope & (mirrored ? n*(n & r) : r))*b.Sf[facei];
             }
         }
 
