@@ -126,15 +126,19 @@ namespace SPH
         //- Sum of |weight|
         scalar amplification;
 
-        //- Weights of the linear fit at x. Directions in which the extent
-        //- of the sources is below tolerance*R^2 are left out.
+        //- Projection on the directions that the fit leaves out
+        tensor missing;
+
+        //- Weights of the linear fit at x. Directions in which the extent of
+        //- the sources is below the tolerance are left out.
+        //  \param scaling of distances, to 1 where the weights end
         //  \return number of directions used
         label fit
         (
             const pointField& points,
             const scalarField& volume,
             const point& x,
-            const scalar R,
+            const tensor& scaling,
             const scalar tolerance
         );
     };
@@ -147,7 +151,7 @@ Foam::label Foam::SPH::stencil::fit
     const pointField& points,
     const scalarField& volume,
     const point& x,
-    const scalar R,
+    const tensor& scaling,
     const scalar tolerance
 )
 {
@@ -157,8 +161,8 @@ Foam::label Foam::SPH::stencil::fit
     vector centroid(Zero);
     forAll(source, k)
     {
-        const vector d(points[source[k]] - x);
-        weight[k] = volume[source[k]]*shape(mag(d)/R);
+        const vector d(scaling & (points[source[k]] - x));
+        weight[k] = volume[source[k]]*shape(mag(d));
         sum += weight[k];
         centroid += weight[k]*d;
     }
@@ -167,7 +171,7 @@ Foam::label Foam::SPH::stencil::fit
     Eigen::Matrix3d C(Eigen::Matrix3d::Zero());
     const auto fromCentroid = [&](const label k)
     {
-        const vector d(points[source[k]] - x - centroid);
+        const vector d((scaling & (points[source[k]] - x)) - centroid);
         return Eigen::Vector3d(d.x(), d.y(), d.z());
     };
     forAll(source, k)
@@ -186,14 +190,20 @@ Foam::label Foam::SPH::stencil::fit
     );
     Eigen::Vector3d g(Eigen::Vector3d::Zero());
     label rank = 0;
+    missing = Zero;
     for (label c = 0; c < 3; ++c)
     {
         const scalar extent = eigen.eigenvalues()[c];
-        if (extent > tolerance*sqr(R))
+        const Eigen::Vector3d e(eigen.eigenvectors().col(c));
+        if (extent > tolerance)
         {
-            const Eigen::Vector3d e(eigen.eigenvectors().col(c));
             g += e*(e.dot(toTarget)/extent);
             ++rank;
+        }
+        else
+        {
+            const vector direction(e[0], e[1], e[2]);
+            missing += direction*direction;
         }
     }
 
@@ -267,58 +277,75 @@ Foam::SPH::movingLeastSquares::movingLeastSquares
             const point& x = targets[i];
             const label n0 = nearest_[i] = nearest(tree, x);
 
-            scalar R = max
+            const scalar R0 = max
             (
-                max
-                (
-                    sourceRadius*from.spacing[n0],
-                    targetRadius*to.spacing[i]
-                ),
-                nearestRadius*mag(x - sources[n0])
+                sourceRadius*from.spacing[n0], targetRadius*to.spacing[i]
             );
+            const vector toNearest(sources[n0] - x);
+            const scalar distance = mag(toNearest);
+            const scalar Rn = max(R0, nearestRadius*distance);
 
-            // Cells of one layer, or points on a line, leave a direction out
-            // however large R is: then the smallest R will do
+            // Of flat cells the first R reaches one column only, of one layer
+            // it never reaches two: R grows in the direction left out, and
+            // in all directions if that does not help
             label bestRank = -1;
-            scalar bestR = R;
-            for (label n = 0; n <= maxGrowths; ++n, R *= growth)
+            tensor bestScaling;
+            const auto found = [&]()
             {
-                withinSphere(tree, x, R, current.source);
-                const label rank =
-                    current.fit(sources, volume, x, R, degenerate);
+                return
+                    bestRank == space.nDims()
+                 && best.amplification <= maxAmplification;
+            };
 
-                if
-                (
-                    rank > bestRank
-                 || (
-                        rank == bestRank
-                     && best.amplification > maxAmplification
-                     && current.amplification < best.amplification
-                    )
-                )
+            for (const bool allDirections : {false, true})
+            {
+                if (bestRank < space.nDims())
                 {
-                    best = current;
-                    bestRank = rank;
-                    bestR = R;
+                    bestRank = -1;
                 }
-                if
-                (
-                    (
-                        bestRank == space.nDims()
-                     && best.amplification <= maxAmplification
-                    )
-                 || current.source.size() == sources.size()
-                )
+                scalar R = Rn;
+                tensor scaling(tensor::I/(allDirections ? Rn : R0));
+                tensor grows(tensor::I);
+                if (!allDirections && Rn > R0)
                 {
-                    break;
+                    scaling -=
+                        (1/R0 - 1/Rn)*(toNearest*toNearest)/sqr(distance);
+                }
+
+                for (label n = 0; n <= maxGrowths && !found(); ++n)
+                {
+                    withinSphere(tree, x, R, current.source);
+                    const label rank =
+                        current.fit(sources, volume, x, scaling, degenerate);
+
+                    if
+                    (
+                        rank > bestRank
+                     || (
+                            rank == bestRank
+                         && best.amplification > maxAmplification
+                         && current.amplification < best.amplification
+                        )
+                    )
+                    {
+                        best = current;
+                        bestRank = rank;
+                        bestScaling = scaling;
+                    }
+                    if (!allDirections && rank < space.nDims())
+                    {
+                        grows = current.missing;
+                    }
+                    R *= growth;
+                    scaling -= (1 - 1/growth)*(grows & scaling);
                 }
             }
 
             if (bestRank < space.nDims())
             {
-                // Flat cells: their thin direction too, where that is safe
+                // Two thin layers: across them too, where that is safe
                 current.source = best.source;
-                current.fit(sources, volume, x, bestR, singular);
+                current.fit(sources, volume, x, bestScaling, singular);
                 if (current.amplification <= maxAmplification)
                 {
                     best = current;

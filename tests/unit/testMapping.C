@@ -351,6 +351,35 @@ TEST(MovingLeastSquares, oneLayerIsAsSmoothInSpaceAsInThePlane)
 }
 
 
+TEST(MovingLeastSquares, flatCellsKeepTheirProfileAcross)
+{
+    // As many cells as in a square lattice, 25 times as long as high
+    const label n = 60;
+    pointField flat(n*n);
+    forAll(flat, i)
+    {
+        flat[i] = point((i/(5*n) + 0.5)*5/n, (i % (5*n) + 0.5)/(5*n), 0);
+    }
+    const pointField targets(lattice(2, n, 0));
+    const scalarField spacing(n*n, 1.0/n);
+    const auto layer = [](const point& p) { return std::tanh(20*p.y()); };
+    const auto error =
+        [&](const pointField& from, const std::function<scalar(const point&)> f)
+    {
+        scalarField result(n*n);
+        movingLeastSquares
+        (
+            unitSpace(2), {from, spacing}, {targets, spacing}
+        ).map(values(from, f), result);
+        return max(mag(result - values(targets, f)));
+    };
+
+    // The weights' mean over R has the curvature's error, the lattice less
+    EXPECT_LT(error(flat, layer), 2*error(lattice(2, n, 0.1), layer));
+    EXPECT_LT(error(flat, linear), 1e-9);
+}
+
+
 TEST(MovingLeastSquares, boundedMappingKeepsAJumpInItsRange)
 {
     const pointField from(lattice(2, 12, 0.3));
