@@ -28,6 +28,19 @@ namespace SPH
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::IOobjectList Foam::SPH::startFields::allFields(const fvMesh& mesh)
+{
+    IOobjectList objects(mesh, mesh.time().timeName());
+    const IOobjectList constant(mesh, mesh.time().constant());
+    forAllConstIters(constant, iter)
+    {
+        autoPtr<IOobject> io(new IOobject(*iter()));
+        objects.add(io);
+    }
+    return objects;
+}
+
+
 bool Foam::SPH::startFields::isNewtonian() const
 {
     const IOdictionary properties
@@ -129,7 +142,7 @@ Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
     mesh_(mesh),
     case_(sph),
     particles_(sph.particles()),
-    objects_(mesh, mesh.time().timeName()),
+    objects_(allFields(mesh)),
     toParticles_
     (
         solutionSpace(mesh),

@@ -52,7 +52,7 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::bodyPatch
         IOobject
         (
             field.name(),
-            mesh_.time().timeName(),
+            field.instance(),
             mesh_,
             IOobject::MUST_READ,
             IOobject::NO_WRITE,
@@ -179,7 +179,7 @@ void Foam::SPH::startFields::mapField
 {
     typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
 
-    const fileName file(fileName(mesh_.time().timeName())/field.name());
+    const fileName file(field.instance()/field.name());
     if (!case_.files().mayWrite(file))
     {
         return;
@@ -199,7 +199,7 @@ void Foam::SPH::startFields::mapField
         IOobject
         (
             field.name(),
-            particles_.time().timeName(),
+            field.instance(),
             particles_,
             IOobject::NO_READ,
             IOobject::NO_WRITE,

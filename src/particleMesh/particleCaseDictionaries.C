@@ -265,9 +265,17 @@ void Foam::SPH::particleCase::writeFolder(const word& folder)
         );
 
         // Files to be included have no header, and OpenFOAM warns of that
+        const bool hasClass =
+            hasHeader(from/name) && io.typeHeaderOk<IOdictionary>(false);
+
+        // Fields are mapped
+        if (hasClass && io.headerClassName().starts_with("vol"))
+        {
+            continue;
+        }
+
         const bool isDictionary =
-            hasHeader(from/name)
-         && io.typeHeaderOk<IOdictionary>(false)
+            hasClass
          && (
                 io.headerClassName() == "dictionary"
              || io.headerClassName().starts_with("uniformDimensioned")

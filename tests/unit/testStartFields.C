@@ -190,6 +190,46 @@ TEST_F(StartFields, linearFieldsAreExactInside)
 }
 
 
+TEST_F(StartFields, fieldsInConstantAreMappedToo)
+{
+    make("box");
+    const auto f = [](const point& x) { return 1 + x.x(); };
+    const pointField& C = scene->mesh().cellCentres();
+    scene->files().write
+    (
+        "constant/h0",
+        "dimensions [0 1 0 0 0 0 0]; internalField "
+      + listOf(C.size(), [&](const label i) { return f(C[i]); })
+      + "; boundaryField { \".*\" { type zeroGradient; }"
+        " frontAndBack { type empty; } }",
+        "volScalarField"
+    );
+    particles->sph().writeDictionaries();
+    EXPECT_FALSE(exists(scene->files().path()/"sph"/"constant"/"h0"));
+    map();
+
+    const fvMesh& mesh = particles->mesh();
+    const volScalarField h0
+    (
+        IOobject
+        (
+            "h0",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh
+    );
+    forAll(h0, i)
+    {
+        // Beside the walls, where there are no cells around, bounded
+        EXPECT_NEAR(h0[i], f(particles->C()[i]), 0.05);
+    }
+}
+
+
 TEST_F(StartFields, aJumpIsNotSmeared)
 {
     make("box");
