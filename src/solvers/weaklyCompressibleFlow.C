@@ -163,7 +163,11 @@ Foam::SPH::weaklyCompressibleFlow::readFluid()
         "soundDamping", 0.25, [](const scalar value) { return value >= 0; }
     );
 
-    return {c, nu, constant ? 0 : 1/sqr(c), damping};
+    // First order is [B]'s as it is
+    const bool linear =
+        schemes_.getOrDefault<word>("reconstruction", "linear") == "linear";
+
+    return {c, nu, constant ? 0 : 1/sqr(c), damping, linear ? 0.25 : 0};
 }
 
 

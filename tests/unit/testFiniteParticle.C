@@ -408,6 +408,26 @@ TEST(RiemannSolvers, AreConsistentAndSymmetric)
 }
 
 
+TEST(RiemannSolvers, LimitedFluxesKeepAPartOfTheDissipationOfPressure)
+{
+    // [B] eq. 14 and 17: (pL - pR)/(2 rho c), times beta^2 = 0 at rest
+    const linearisedFlux<2>::vars L{{3, 0, 0}};
+    const linearisedFlux<2>::vars R{{1, 0, 0}};
+    weaklyCompressibleFluid fluid{10, 0, 0, 0};
+
+    for (const scalar kept : {0.0, 0.25, 1.0})
+    {
+        fluid.keptDissipation = kept;
+        const linearisedFlux<2> limited(fluid, 15);
+        EXPECT_DOUBLE_EQ(limited.crossing(L, R, {{1, 0}}).u, kept*0.1);
+        EXPECT_DOUBLE_EQ
+        (
+            linearisedFlux<2>(fluid).crossing(L, R, {{1, 0}}).u, 0.1
+        );
+    }
+}
+
+
 TEST(RiemannSolvers, HLLCKeepsAContactAtRest)
 {
     const HLLCFlux<2> flux(air);
