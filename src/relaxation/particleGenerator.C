@@ -318,6 +318,20 @@ void Foam::SPH::particleGenerator::generate()
         << seconds << " s CPU, "
         << 1e6*seconds/max(nParticleIterations_, scalar(1))
         << " us per particle iteration" << endl;
+    const auto& history = monitor_->history();
+    if
+    (
+        history.size() && history.size() >= method_->maxIterations()
+     && !monitor_->converged()
+    )
+    {
+        WarningInFunction
+            << "The particles are not at rest after maxIterations "
+            << method_->maxIterations() << ": largest residual "
+            << history.last().maxResidual << ", rms "
+            << history.last().rmsResidual << ". See what checkSphMesh says of"
+            << " them" << endl;
+    }
 
     fluid_ = extract(particles, 0);
     fluid_.density = fluidDensity(domain_, *method_, particles);
