@@ -143,10 +143,15 @@ Foam::tmp<Foam::vectorField> Foam::SPH::rawPairAreas
 
 void Foam::SPH::dropWeakPairs
 (
+    const solutionSpace& space,
     const scalar leastArea,
     particleMeshData& data
 )
 {
+    // Of the determinant of the first moments: a particle that would lose more
+    // has too few pairs left in some direction, and keeps all
+    constexpr scalar leastShare = 0.6;
+
     const label n = data.points.size();
     const scalarField area(mag(data.Sf));
 
@@ -159,14 +164,26 @@ void Foam::SPH::dropWeakPairs
         }
     }
 
+    symmTensor unused(Zero);
+    for (direction d = space.nDims(); d < vector::nComponents; ++d)
+    {
+        vector axis(Zero);
+        axis[d] = 1;
+        unused += sqr(axis);
+    }
+
     bitSet keep(area.size());
-    scalarField whole(n, Zero);
-    scalarField kept(n, Zero);
+    symmTensorField whole(n, unused);
+    symmTensorField kept(n, unused);
+    symmTensorField moment(area.size());
     forAll(area, pairi)
     {
         const label i = data.owner[pairi];
         const label j = data.neighbour[pairi];
-        const scalar moment = data.Sf[pairi] & data.delta[pairi];
+
+        // A raw area lies along its pair
+        const vector delta(space.toLocal(data.delta[pairi]));
+        moment[pairi] = area[pairi]/mag(delta)*sqr(delta);
 
         // Not either those of lattice sites that are not nearest neighbours
         keep.set
@@ -176,21 +193,41 @@ void Foam::SPH::dropWeakPairs
         );
         for (const label k : {i, j})
         {
-            whole[k] += moment;
-            kept[k] += keep.test(pairi) ? moment : 0;
+            whole[k] += moment[pairi];
+            kept[k] += scalar(keep.test(pairi))*moment[pairi];
         }
     }
 
-    forAll(data.Sf, pairi)
+    // With those that particles need that would be left flat
+    boolList flat(n);
+    forAll(flat, i)
+    {
+        flat[i] = det(kept[i]) < leastShare*det(whole[i]);
+    }
+
+    forAll(area, pairi)
     {
         const label i = data.owner[pairi];
         const label j = data.neighbour[pairi];
+        const bool needed = (flat[i] || flat[j]) && area[pairi] > VSMALL;
 
-        // A pair of the largest area is kept, so that no sum is zero
-        if (keep.test(pairi))
+        if (needed && !keep.test(pairi))
         {
-            data.Sf[pairi] *= 0.5*(whole[i]/kept[i] + whole[j]/kept[j]);
+            keep.set(pairi);
+            kept[i] += moment[pairi];
+            kept[j] += moment[pairi];
         }
+    }
+    scalarField scale(n);
+    forAll(scale, i)
+    {
+        scale[i] =
+            tr(whole[i] - unused)/max(tr(kept[i] - unused), ROOTVSMALL);
+    }
+    forAll(data.Sf, pairi)
+    {
+        data.Sf[pairi] *=
+            0.5*(scale[data.owner[pairi]] + scale[data.neighbour[pairi]]);
     }
 
     inplaceSubset(keep, data.owner);

@@ -133,7 +133,7 @@ Foam::SPH::particleMeshData Foam::SPH::assembleParticleMesh
       ? latticeSites(space, W, data)
       : boolList(n, false);
     data.Sf = rawPairAreas(space, W, data.V, data, data.sites);
-    dropWeakPairs(method.leastArea(), data);
+    dropWeakPairs(space, method.leastArea(), data);
 
     const cpuTime clock;
     method.close(mesh, space, W, fluid, data);
