@@ -67,7 +67,7 @@ public:
 
     TypeName("SSPRK2");
 
-    virtual scalar defaultCo() const
+    virtual scalar defaultCo(const conservationLaw&) const
     {
         return 0.4;
     }
@@ -93,7 +93,7 @@ public:
 
     TypeName("SSPRK3");
 
-    virtual scalar defaultCo() const
+    virtual scalar defaultCo(const conservationLaw&) const
     {
         return 0.9;
     }
@@ -105,16 +105,65 @@ public:
 };
 
 
-//- SSPRK3, or where diffusion would shorten its steps a super time step of
-//- RKL2: s stages whose steps grow as s^2; Meyer, Balsara, Aslam, J. Comput.
-//- Phys. 257 (2014) 594, eq. 15-17. With five stages or more, odd, acoustic
-//- waves of upwind fluxes are stable as well up to a Courant number of 0.9, and
-//- the more so the more stages (eigenvalues of the one-dimensional scheme)
+//- One evaluation at the middle of the step, of the states that gradients and
+//- the equations without viscosity tell: second order where viscosity does not
+//- count, first order in it; van Leer, SIAM J. Sci. Stat. Comput. 5 (1984) 1
+class Hancock
+:
+    public timeScheme
+{
+public:
+
+    TypeName("Hancock");
+
+    virtual scalar defaultCo(const conservationLaw& law) const
+    {
+        if (!law.maySeeAhead())
+        {
+            FatalErrorInFunction
+                << "timeScheme " << typeName << " is for flow without"
+                << " viscosity by the fluxScheme Kurganov or HLLC of"
+                << " rhoSphFoam; others: automatic, SSPRK3, SSPRK2,"
+                << " symplecticEuler" << exit(FatalError);
+        }
+        return 0.4;
+    }
+
+    virtual scalar maxDiffusion() const
+    {
+        return 0.9;
+    }
+
+    virtual void stages
+    (
+        conservationLaw& law,
+        faceStates& faces,
+        const scalar dt,
+        const scalar timeLeft
+    ) const
+    {
+        evaluate(law, faces, timeLeft + 0.5*dt, 0.5*dt);
+        law.update(0, dt, 0, law.nVariables());
+    }
+};
+
+
+//- Hancock where it is stable, else SSPRK3, or where diffusion would shorten its
+//- steps a super time step of RKL2: s stages whose steps grow as s^2; Meyer,
+//- Balsara, Aslam, J. Comput. Phys. 257 (2014) 594, eq. 15-17. With five stages
+//- or more, odd, acoustic waves of upwind fluxes are stable as well up to a
+//- Courant number of 0.9, and the more so the more stages (eigenvalues of the
+//- one-dimensional scheme)
 class automatic
 :
     public SSPRK3
 {
     static constexpr label leastStages = 5;
+
+    const Hancock oneStage_;
+
+    //- Was the step found for one stage
+    bool seesAhead_ = false;
 
     //- Diffusive rate of the state that the step was found for [1/s]
     scalar diffusion_ = 0;
@@ -147,6 +196,11 @@ protected:
         const scalar timeLeft
     ) const
     {
+        if (seesAhead_)
+        {
+            oneStage_.stages(law, faces, dt, timeLeft);
+            return;
+        }
         if (dt <= (1 + 1e-9)*shortStep_)
         {
             SSPRK3::stages(law, faces, dt, timeLeft);
@@ -177,12 +231,26 @@ public:
 
     TypeName("automatic");
 
+    virtual scalar defaultCo(const conservationLaw& law) const
+    {
+        return
+            law.maySeeAhead()
+          ? oneStage_.defaultCo(law)
+          : SSPRK3::defaultCo(law);
+    }
+
     virtual scalar stableDeltaT
     (
         conservationLaw& law,
         const scalar maxCo
     )
     {
+        seesAhead_ = law.maySeeAhead() && maxCo <= oneStage_.defaultCo(law);
+        if (seesAhead_)
+        {
+            return 1/law.stableRate(maxCo, GREAT);
+        }
+
         shortStep_ = SSPRK3::stableDeltaT(law, maxCo);
 
         const scalar longStep = 1/law.stableRate(maxCo, GREAT);
@@ -225,7 +293,7 @@ public:
 
     TypeName("symplecticEuler");
 
-    virtual scalar defaultCo() const
+    virtual scalar defaultCo(const conservationLaw&) const
     {
         return 0.3;
     }
@@ -244,6 +312,9 @@ addToRunTimeSelectionTable(timeScheme, SSPRK2, empty);
 
 defineTypeNameAndDebug(SSPRK3, 0);
 addToRunTimeSelectionTable(timeScheme, SSPRK3, empty);
+
+defineTypeNameAndDebug(Hancock, 0);
+addToRunTimeSelectionTable(timeScheme, Hancock, empty);
 
 defineTypeNameAndDebug(automatic, 0);
 addToRunTimeSelectionTable(timeScheme, automatic, empty);

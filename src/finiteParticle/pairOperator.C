@@ -248,8 +248,13 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
 
 
 template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
+(
+    const scalar ahead
+)
 {
+    const label nSlices = pairs_.nSlices();
+    const bool predicts = Limiter::linear && ahead > 0;
     const bool twoExchanges = Limiter::linear || sleeping_.anywhere();
 
     if (fluxes_.empty())
@@ -266,14 +271,22 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate()
     {
         setGradients();
     }
+    if (predicts)
+    {
+        predict(0, nSlices, ahead);
+    }
     setFluxes(pairs_.innerSlices());
     halo_.finish(twoExchanges ? gradientsSent() : W_.components());
     sleeping_.updateHalo();
+    if (predicts)
+    {
+        predict(nSlices, haloExchange::nSlices(particles_), ahead);
+    }
     setFluxes(pairs_.outerSlices());
     setFluxes(pairs_.haloSlices());
 
     #pragma omp parallel for
-    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
+    for (label slice = 0; slice < nSlices; ++slice)
     {
         if (!sleeping_.isStillSlice(slice))
         {

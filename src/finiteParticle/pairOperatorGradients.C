@@ -304,6 +304,42 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
 
 
 template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
+(
+    const label begin,
+    const label end,
+    const scalar ahead
+)
+{
+    const Flux flux(flux_);
+    const bool anyAsleep = sleeping_.anywhere();
+    const scalar* codes = sleeping_.code();
+
+    #pragma omp parallel for
+    for (label slice = begin; slice < end; ++slice)
+    {
+        #pragma omp simd
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const label i = slice*nLanes + lane;
+            const auto g = [&](const int v, const int d)
+            {
+                return G_[v*nDims + d][i];
+            };
+
+            const vars W(load(W_, i));
+            const vars step(flux.step(W, g, ahead));
+            const bool still = anyAsleep && sleepingSlices::still(codes[i], 1);
+            for (int v = 0; v < nVars; ++v)
+            {
+                W_[v][i] = still ? W[v] : W[v] + step[v];
+            }
+        }
+    }
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 inline Foam::scalar
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::increment
 (

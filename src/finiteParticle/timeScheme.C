@@ -27,11 +27,12 @@ void Foam::SPH::timeScheme::evaluate
 (
     conservationLaw& law,
     faceStates& faces,
-    const scalar timeLeft
+    const scalar timeLeft,
+    const scalar ahead
 )
 {
     faces.correct(law.W(), timeLeft);
-    law.evaluate();
+    law.evaluate(ahead);
 }
 
 

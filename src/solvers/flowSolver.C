@@ -65,6 +65,13 @@ bool Foam::SPH::flowSolver::hasField(const word& name) const
 
 void Foam::SPH::flowSolver::setStart()
 {
+    maxCo_ = schemes_.getCheckOrDefault<scalar>
+    (
+        "maxCo",
+        min(maxCo_, timeScheme_->defaultCo(*law_)),
+        [](const scalar maxCo) { return maxCo > 0; }
+    );
+
     const List<scalarField> conserved(conservedStart());
 
     bool continues = conserved.size();
@@ -171,15 +178,7 @@ Foam::SPH::flowSolver::flowSolver
     particles_(particles),
     schemes_(runTime),
     timeScheme_(timeScheme::New(schemes_)),
-    maxCo_
-    (
-        schemes_.getCheckOrDefault<scalar>
-        (
-            "maxCo",
-            min(accurateCo, timeScheme_->defaultCo()),
-            [](const scalar maxCo) { return maxCo > 0; }
-        )
-    ),
+    maxCo_(accurateCo),
     nDropped_(0),
     nHalved_(0),
     subIndex_(-1),

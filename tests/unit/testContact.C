@@ -140,7 +140,7 @@ List<scalarField> afterStep
 {
     law.setPrimitive(W);
     law.store();
-    law.evaluate();
+    law.evaluate(0);
     law.update(1, dt, 0, law.nVariables());
 
     List<scalarField> Q(law.nVariables());
