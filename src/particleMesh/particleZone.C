@@ -10,6 +10,7 @@ License
 #include "particleZone.H"
 #include "consistentClosure.H"
 #include "cyclicPolyPatch.H"
+#include "smoothBorder.H"
 #include "zoneCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -31,7 +32,15 @@ Foam::boolList Foam::SPH::particleZone::chooseCells
         )
      == consistentClosure::typeName;
 
-    const boolList chosen(around ? bodies.zone() : zoneCells(mesh, dict));
+    boolList chosen(around ? bodies.zone() : zoneCells(mesh, dict));
+    smoothBorder(mesh, chosen);
+    if (!chosen.found(true))
+    {
+        FatalIOErrorInFunction(dict)
+            << "zone: no cell is left in it where its border is smoothed: it is"
+            << " one cell thick or less. Valid zones are a few cells thick"
+            << exit(FatalIOError);
+    }
     bodies.checkZone(chosen, dict);
     return chosen;
 }
