@@ -110,12 +110,13 @@ Foam::SPH::conservationLaw::conservationLaw
 (
     const dictionary& schemes,
     faceStates& faces,
-    const label nVariables
+    const label nVariables,
+    const scalar maxSkew
 )
 :
     particles_(faces.particles()),
     faces_(faces),
-    pairs_(particles_),
+    pairs_(particles_, maxSkew),
     halo_(particles_),
     V_(1, pairs_.nSlices()),
     rSpacing_(1, pairs_.nSlices()),

@@ -166,7 +166,13 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
     faceStates& faces
 )
 :
-    conservationLaw(schemes, faces, nVars),
+    conservationLaw
+    (
+        schemes,
+        faces,
+        nVars,
+        Limiter::limitsPairs || limitByParticle ? limiters::maxSkew : GREAT
+    ),
     flux_(flux),
     limitByParticle_(limitByParticle),
     quadraticWall_(quadraticWall),

@@ -246,21 +246,21 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
         )
         __attribute__((always_inline))
         {
-            scalar halfStep = 0;
+            scalar step = 0;
             for (int d = 0; d < nDims; ++d)
             {
-                halfStep +=
-                    G_[v*nDims + d][i0 + lane]
-                   *geometry[first + (nDims + 1 + d)*nLanes];
+                const scalar half =
+                    0.5*direction*geometry[first + (nDims + 1 + d)*nLanes];
+                const scalar skew = geometry[first + (2*nDims + 1 + d)*nLanes];
+                step += G_[v*nDims + d][i0 + lane]*(skew + half);
             }
 
             // Rows without a pair limit nothing
-            halfStep *=
-                geometry[first + nDims*nLanes] > 0 ? 0.5*direction : 0;
+            step = geometry[first + nDims*nLanes] > 0 ? step : 0;
 
             const scalar allowed = limiters::barthJespersen
             (
-                halfStep, lowest[lane], highest[lane]
+                step, lowest[lane], highest[lane]
             );
             limiter[lane] = allowed < limiter[lane] ? allowed : limiter[lane];
         };

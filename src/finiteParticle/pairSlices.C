@@ -63,7 +63,11 @@ Foam::SPH::alignedList<int> Foam::SPH::pairSlices::padding
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
+Foam::SPH::pairSlices::pairSlices
+(
+    const particleMesh& particles,
+    const scalar maxSkew
+)
 :
     nSlices_(slicedField::slices(particles.nParticles())),
     geometry_(0, 0),
@@ -172,12 +176,17 @@ Foam::SPH::pairSlices::pairSlices(const particleMesh& particles)
         }
 
         const vector delta(direction*space.toLocal(particles.delta()[pairi]));
-        const vector skew
+        vector skew
         (
             particles.skew().size()
           ? space.toLocal(particles.skew()[pairi])
           : Zero
         );
+        const scalar skewLimit = maxSkew*mag(delta);
+        if (mag(skew) > skewLimit)
+        {
+            skew *= skewLimit/mag(skew);
+        }
         const scalar area = mag(A);
         geometry_(e, nDims) = area;
         for (label d = 0; d < nDims; ++d)
