@@ -10,8 +10,6 @@ License
 #include "startFields.H"
 #include "cellSpacing.H"
 #include "meshSearch.H"
-#include "particleFiles.H"
-#include "scalarIOField.H"
 #include "stressModels.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -64,13 +62,13 @@ bool Foam::SPH::startFields::isNewtonian() const
 
 bool Foam::SPH::startFields::hasParticles(const fvPatch& patch) const
 {
-    if (case_.cellMap().empty())
+    if (particles_.cellMap().empty())
     {
         return true;
     }
     for (const label celli : patch.faceCells())
     {
-        if (case_.cellMap()[celli] < 0)
+        if (particles_.cellMap()[celli] < 0)
         {
             return true;
         }
@@ -82,9 +80,9 @@ bool Foam::SPH::startFields::hasParticles(const fvPatch& patch) const
 void Foam::SPH::startFields::findCells()
 {
     const meshSearch search(mesh_, polyMesh::FACE_PLANES);
-    const pointField& points = particles_.cellCentres();
+    const pointField& points = particles_.mesh().cellCentres();
 
-    const labelList& cellMap = case_.cellMap();
+    const labelList& cellMap = particles_.cellMap();
     cells_.setSize(points.size());
     label seed = -1;
     forAll(cells_, i)
@@ -147,13 +145,10 @@ Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
     (
         solutionSpace(mesh),
         {mesh.cellCentres(), cellSpacing(solutionSpace(mesh), mesh)},
-        {
-            particles_.cellCentres(),
-            scalarIOField(particleFiles(particles_.time()).arrayIO("spacing"))
-        }
+        {particles_.mesh().cellCentres(), particles_.spacing()}
     ),
     cells_(),
-    beside_(particles_.nCells(), false),
+    beside_(particles_.mesh().nCells(), false),
     newtonian_(isNewtonian())
 {
     findCells();

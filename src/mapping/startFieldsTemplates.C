@@ -125,7 +125,7 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
     const DimensionedField<Type, volMesh>& internal
 ) const
 {
-    const fvPatch& patch = particles_.boundary()[patchi];
+    const fvPatch& patch = particles_.mesh().boundary()[patchi];
 
     if (isCutBody(patch.patch()))
     {
@@ -139,10 +139,10 @@ Foam::tmp<Foam::fvPatchField<Type>> Foam::SPH::startFields::mapPatch
     }
 
     const label start =
-        patch.patch().start() - particles_.nInternalFaces();
+        patch.patch().start() - particles_.mesh().nInternalFaces();
     labelList addressing
     (
-        SubList<label>(case_.boundaryFace(), patch.patch().size(), start)
+        SubList<label>(particles_.boundaryFace(), patch.patch().size(), start)
     );
     if (isA<emptyPolyPatch>(patch.patch()))
     {
@@ -200,12 +200,12 @@ void Foam::SPH::startFields::mapField
         (
             field.name(),
             field.instance(),
-            particles_,
+            particles_.mesh(),
             IOobject::NO_READ,
             IOobject::NO_WRITE,
             false
         ),
-        particles_,
+        particles_.mesh(),
         dimensioned<Type>(field.dimensions(), Zero)
     );
     particleField.primitiveFieldRef() = values;

@@ -94,37 +94,6 @@ namespace SPH
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::SPH::particleCase::readMesh()
-{
-    if (!timePtr_.valid())
-    {
-        timePtr_ = caseTime(path_);
-        timePtr_->setTime(startTime(mesh_.time()), 0);
-    }
-    if (!particleMeshPtr_.valid())
-    {
-        particleMeshPtr_.reset
-        (
-            new fvMesh
-            (
-                IOobject
-                (
-                    polyMesh::defaultRegion,
-                    timePtr_->timeName(),
-                    *timePtr_,
-                    IOobject::MUST_READ
-                )
-            )
-        );
-        boundaryFace_ =
-            labelIOList(particleFiles(*timePtr_).arrayIO("boundaryFace"));
-        cellMap_ = particleFiles(*timePtr_).cellMap();
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::particleCase::particleCase(const fvMesh& mesh)
@@ -214,6 +183,18 @@ Foam::instant Foam::SPH::particleCase::startTime(const Time& runTime)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+const Foam::SPH::particleResults& Foam::SPH::particleCase::particles()
+{
+    if (!particles_.valid())
+    {
+        autoPtr<Time> timePtr(caseTime(path_));
+        timePtr->setTime(startTime(mesh_.time()), 0);
+        particles_.reset(new particleResults(std::move(timePtr)));
+    }
+    return *particles_;
+}
+
+
 Foam::word Foam::SPH::particleCase::digest() const
 {
     if
@@ -297,16 +278,16 @@ void Foam::SPH::particleCase::writeMesh
     writeDictionaries();
 
     // Those may have looked at the particles that are replaced here
-    particleMeshPtr_.clear();
-    timePtr_ = caseTime(path_);
-    timePtr_->setTime(startTime(mesh_.time()), 0);
+    particles_.clear();
+    autoPtr<Time> timePtr(caseTime(path_));
+    timePtr->setTime(startTime(mesh_.time()), 0);
 
     // A complete new folder replaces the old one at the end, so that an
     // interrupted run leaves no mixture of two particle meshes
-    const fileName constant(path_/timePtr_->constant());
+    const fileName constant(path_/timePtr->constant());
     rmDir(constant/newFolder, true);
 
-    const particleFiles files(*timePtr_, newFolder);
+    const particleFiles files(*timePtr, newFolder);
     const solutionSpace space(mesh_);
     if (zone.bodies().size())
     {
@@ -317,7 +298,7 @@ void Foam::SPH::particleCase::writeMesh
     {
         particlePolyMesh mesh(zone.mesh(), space, data);
         files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
-        meshPtr = mesh.makeMesh(*timePtr_, newFolder);
+        meshPtr = mesh.makeMesh(*timePtr, newFolder);
         writeArrays(files, data.points, data.V, data.spacing);
     }
     else
@@ -326,7 +307,7 @@ void Foam::SPH::particleCase::writeMesh
         files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
         files.writeArray<labelIOList>("cellMap", mesh.cellMap());
         files.writeArray<labelIOList>("faceMap", mesh.faceMap());
-        meshPtr = mesh.makeMesh(*timePtr_, newFolder);
+        meshPtr = mesh.makeMesh(*timePtr, newFolder);
         writeArrays(files, mesh.points(), mesh.V(), mesh.spacing());
     }
     particleFiles::checkWritten(meshPtr->write(), *meshPtr);

@@ -98,14 +98,17 @@ std::string Foam::SPH::particleCase::solutionAdditions()
                 os  << "ofCells { $" << name << "; }\n#remove " << name << '\n'
                     << name << "\n{\n    $ofCells;\n    #remove " << cellName
                     << "\n    " << field << "RefPoint "
-                    << nearestCentre(particles(), mesh_.cellCentres()[celli])
+                    << nearestCentre
+                       (
+                           particles().mesh(), mesh_.cellCentres()[celli]
+                       )
                     << ";\n}\n#remove ofCells\n";
             }
             else if (field.size() && !dict.found(cellName))
             {
                 const point given(dict.get<point>(e.keyword()));
                 os  << name << "\n{\n    " << field << "RefPoint "
-                    << nearestCentre(particles(), given) << ";\n}\n";
+                    << nearestCentre(particles().mesh(), given) << ";\n}\n";
             }
         }
     }

@@ -140,7 +140,10 @@ Foam::labelList Foam::SPH::sceneParticles::fvmFaces
 
     return labelList
     (
-        SubList<label>(sph_->boundaryFace(), patch.patch().size(), start)
+        SubList<label>
+        (
+            sph_->particles().boundaryFace(), patch.patch().size(), start
+        )
     );
 }
 

@@ -164,7 +164,7 @@ protected:
             [&]
             {
                 particleCase sph(scene->mesh());
-                particleMesh particles(sph.particles());
+                particleMesh particles(sph.particles().mesh());
             }
         );
     }

@@ -107,7 +107,7 @@ public:
 
     const fvMesh& mesh()
     {
-        return sph.particles();
+        return sph.particles().mesh();
     }
 };
 
@@ -218,7 +218,7 @@ TEST_P(Zone, fvmCellsKeepVolumeAndCentreAndParticlesAreClosed)
     );
     const fvMesh& fvm = z.fvm();
     const fvMesh& mesh = z.mesh();
-    const labelList& cellMap = z.sph.cellMap();
+    const labelList& cellMap = z.sph.particles().cellMap();
     ASSERT_EQ(cellMap.size(), mesh.nCells());
 
     label nFvm = 0;
@@ -271,7 +271,7 @@ TEST_P(Zone, partsOfABorderFaceHaveItsAreaAndFirstMoment)
     );
     const fvMesh& fvm = z.fvm();
     const fvMesh& mesh = z.mesh();
-    const labelList& cellMap = z.sph.cellMap();
+    const labelList& cellMap = z.sph.particles().cellMap();
     const labelIOList faceMap
     (
         particleFiles(mesh.time()).arrayIO("faceMap")
@@ -338,7 +338,7 @@ TEST_P(Zone, particlesDifferentiateLinearFields)
         layoutOf(GetParam().layout), std::string("zone ") + GetParam().zone
     );
     const particleMesh all(z.mesh());
-    const auto particles = zoneParticles(z.zone, all, z.sph.cellMap());
+    const auto particles = zoneParticles(z.zone, all, z.sph.particles().cellMap());
 
     const tensorField moments(firstMoments(particles->data()));
     const tensor I(particles->space().identity());
@@ -395,9 +395,9 @@ TEST(ZoneFields, fvmCellsKeepTheirValuesThereAndBack)
     (
         IOobject("f", "0", fvm, IOobject::MUST_READ), fvm
     );
-    forAll(z.sph.cellMap(), celli)
+    forAll(z.sph.particles().cellMap(), celli)
     {
-        const label fvmCelli = z.sph.cellMap()[celli];
+        const label fvmCelli = z.sph.particles().cellMap()[celli];
         if (fvmCelli >= 0)
         {
             EXPECT_EQ(f[celli], fvmF[fvmCelli]);

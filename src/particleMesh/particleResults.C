@@ -15,9 +15,9 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::particleResults::particleResults(const Time& runTime)
+Foam::SPH::particleResults::particleResults(autoPtr<Time>&& time)
 :
-    time_(particleCase::openTime(runTime)),
+    time_(std::move(time)),
     mesh_
     (
         IOobject
@@ -28,10 +28,16 @@ Foam::SPH::particleResults::particleResults(const Time& runTime)
             IOobject::MUST_READ
         )
     ),
-    spacing_(scalarIOField(particleFiles(*time_).arrayIO("spacing"))),
-    boundaryFace_(labelIOList(particleFiles(*time_).arrayIO("boundaryFace"))),
+    spacing_(particleFiles(*time_).array<scalarIOField>("spacing")),
+    boundaryFace_(particleFiles(*time_).array<labelIOList>("boundaryFace")),
     cellMap_(particleFiles(*time_).cellMap()),
     solidCells_(particleFiles(*time_).solidCells())
+{}
+
+
+Foam::SPH::particleResults::particleResults(const Time& runTime)
+:
+    particleResults(particleCase::openTime(runTime))
 {}
 
 
