@@ -67,16 +67,10 @@ void mapNewFields
     };
 
     const instantList times(particles.times());
+    const instantList selected(timeSelector::select(times, args));
     for (const instant& time : times)
     {
-        if (time.value() != 0)
-        {
-            mapTo(time, time);
-        }
-    }
-    for (const instant& time : timeSelector::select(times, args))
-    {
-        if (time.value() == 0)
+        if (time.value() != 0 || selected.found(time))
         {
             mapTo(time, time);
         }
