@@ -12,6 +12,129 @@ License
 #include "ListOps.H"
 #include "compensatedSum.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Pairs of more than a share of the largest area of either particle. The
+    //- areas of lattice sites that are not nearest neighbours are zero
+    static bitSet strongPairs
+    (
+        const scalar leastArea,
+        const particleMeshData& data
+    )
+    {
+        const scalarField area(mag(data.Sf));
+
+        scalarField largest(data.points.size(), Zero);
+        forAll(area, pairi)
+        {
+            for (const label i : {data.owner[pairi], data.neighbour[pairi]})
+            {
+                largest[i] = max(largest[i], area[pairi]);
+            }
+        }
+
+        bitSet strong(area.size());
+        forAll(area, pairi)
+        {
+            const scalar least = leastArea*min
+            (
+                largest[data.owner[pairi]], largest[data.neighbour[pairi]]
+            );
+            strong.set(pairi, area[pairi] > max(least, VSMALL));
+        }
+        return strong;
+    }
+
+
+    //- First moments of the particles' pair areas, of some pairs; in
+    //- directions that are not solved one
+    static tmp<symmTensorField> pairMoments
+    (
+        const solutionSpace& space,
+        const particleMeshData& data,
+        const bitSet& pairs
+    )
+    {
+        symmTensor unused(Zero);
+        for (direction d = space.nDims(); d < vector::nComponents; ++d)
+        {
+            vector axis(Zero);
+            axis[d] = 1;
+            unused += sqr(axis);
+        }
+
+        auto tmoments =
+            tmp<symmTensorField>::New(data.points.size(), unused);
+        for (const label pairi : pairs)
+        {
+            const symmTensor moment
+            (
+                symm
+                (
+                    space.toLocal(data.Sf[pairi])
+                   *space.toLocal(data.delta[pairi])
+                )
+            );
+            tmoments.ref()[data.owner[pairi]] += moment;
+            tmoments.ref()[data.neighbour[pairi]] += moment;
+        }
+        return tmoments;
+    }
+
+
+    //- Add the weak pairs of particles that would be left with too few in some
+    //- direction
+    static void addNeededPairs
+    (
+        const solutionSpace& space,
+        const particleMeshData& data,
+        bitSet& keep
+    )
+    {
+        // Of the determinant of the first moments
+        constexpr scalar leastShare = 0.6;
+
+        bitSet all(keep.size());
+        forAll(data.Sf, pairi)
+        {
+            all.set(pairi, mag(data.Sf[pairi]) > VSMALL);
+        }
+
+        const scalarField whole(det(pairMoments(space, data, all)));
+        const scalarField kept(det(pairMoments(space, data, keep)));
+        for (const label pairi : all)
+        {
+            for (const label i : {data.owner[pairi], data.neighbour[pairi]})
+            {
+                if (kept[i] < leastShare*whole[i])
+                {
+                    keep.set(pairi);
+                }
+            }
+        }
+    }
+
+
+    //- Traces of the first moments of the particles' pair areas
+    static scalarField momentTraces(const particleMeshData& data)
+    {
+        scalarField traces(data.points.size(), Zero);
+        forAll(data.Sf, pairi)
+        {
+            const scalar moment = data.Sf[pairi] & data.delta[pairi];
+            traces[data.owner[pairi]] += moment;
+            traces[data.neighbour[pairi]] += moment;
+        }
+        return traces;
+    }
+}
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::scalarField> Foam::SPH::rawVolumes
@@ -148,92 +271,24 @@ void Foam::SPH::dropWeakPairs
     particleMeshData& data
 )
 {
-    // Of the determinant of the first moments: a particle that would lose more
-    // has too few pairs left in some direction, and keeps all
-    constexpr scalar leastShare = 0.6;
-
-    const label n = data.points.size();
-    const scalarField area(mag(data.Sf));
-
-    scalarField largest(n, Zero);
-    forAll(area, pairi)
-    {
-        for (const label i : {data.owner[pairi], data.neighbour[pairi]})
-        {
-            largest[i] = max(largest[i], area[pairi]);
-        }
-    }
-
-    symmTensor unused(Zero);
-    for (direction d = space.nDims(); d < vector::nComponents; ++d)
-    {
-        vector axis(Zero);
-        axis[d] = 1;
-        unused += sqr(axis);
-    }
-
-    bitSet keep(area.size());
-    symmTensorField whole(n, unused);
-    symmTensorField kept(n, unused);
-    symmTensorField moment(area.size());
-    forAll(area, pairi)
-    {
-        const label i = data.owner[pairi];
-        const label j = data.neighbour[pairi];
-
-        // A raw area lies along its pair
-        const vector delta(space.toLocal(data.delta[pairi]));
-        moment[pairi] = area[pairi]/mag(delta)*sqr(delta);
-
-        // Not either those of lattice sites that are not nearest neighbours
-        keep.set
-        (
-            pairi,
-            area[pairi] > max(leastArea*min(largest[i], largest[j]), VSMALL)
-        );
-        for (const label k : {i, j})
-        {
-            whole[k] += moment[pairi];
-            kept[k] += scalar(keep.test(pairi))*moment[pairi];
-        }
-    }
-
-    // With those that particles need that would be left flat
-    boolList flat(n);
-    forAll(flat, i)
-    {
-        flat[i] = det(kept[i]) < leastShare*det(whole[i]);
-    }
-
-    forAll(area, pairi)
-    {
-        const label i = data.owner[pairi];
-        const label j = data.neighbour[pairi];
-        const bool needed = (flat[i] || flat[j]) && area[pairi] > VSMALL;
-
-        if (needed && !keep.test(pairi))
-        {
-            keep.set(pairi);
-            kept[i] += moment[pairi];
-            kept[j] += moment[pairi];
-        }
-    }
-    scalarField scale(n);
-    forAll(scale, i)
-    {
-        scale[i] =
-            tr(whole[i] - unused)/max(tr(kept[i] - unused), ROOTVSMALL);
-    }
-    forAll(data.Sf, pairi)
-    {
-        data.Sf[pairi] *=
-            0.5*(scale[data.owner[pairi]] + scale[data.neighbour[pairi]]);
-    }
+    const scalarField whole(momentTraces(data));
+    bitSet keep(strongPairs(leastArea, data));
+    addNeededPairs(space, data, keep);
 
     inplaceSubset(keep, data.owner);
     inplaceSubset(keep, data.neighbour);
     inplaceSubset(keep, data.delta);
     inplaceSubset(keep, data.Sf);
+
+    // A pair of the largest area is kept, so that no sum is zero
+    const scalarField kept(momentTraces(data));
+    forAll(data.Sf, pairi)
+    {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+
+        data.Sf[pairi] *= 0.5*(whole[i]/kept[i] + whole[j]/kept[j]);
+    }
 }
 
 
