@@ -293,7 +293,14 @@ Foam::tmp<Foam::surfaceScalarField>
 Foam::SPH::reconstructed<Type>::weights(const cellField& vf) const
 {
     tmp<surfaceScalarField> linearWeights(linear<Type>::weights(vf));
-    return isAhead(vf) ? linearWeights + upwindWeights() : linearWeights;
+
+    upwindWeights_.clear();
+    if (!isAhead(vf))
+    {
+        return linearWeights;
+    }
+    upwindWeights_ = upwindWeights();
+    return linearWeights + upwindWeights_();
 }
 
 
@@ -301,13 +308,13 @@ template<class Type>
 Foam::tmp<typename Foam::SPH::reconstructed<Type>::faceField>
 Foam::SPH::reconstructed<Type>::correction(const cellField& vf) const
 {
-    if (!isAhead(vf))
+    if (!upwindWeights_.valid())
     {
         return beyondLinear(vf, vf.name());
     }
 
     tmp<faceField> result(beyondLinear(ahead(vf)(), vf.name()));
-    addDifference(-upwindWeights(), vf, result.ref());
+    addDifference(-upwindWeights_(), vf, result.ref());
     return result;
 }
 
