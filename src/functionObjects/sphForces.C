@@ -9,233 +9,138 @@ License
 
 #include "sphForces.H"
 #include "addToRunTimeSelectionTable.H"
-#include "cartesianCS.H"
 #include "flowSolver.H"
+#include "forceCoeffs.H"
+#include "forces.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 namespace SPH
 {
-    defineTypeNameAndDebug(sphForces, 0);
-    addToRunTimeSelectionTable(functionObject, sphForces, dictionary);
-}
-}
-
-
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-void Foam::SPH::sphForces::setAxes
-(
-    const dictionary& dict,
-    const word& e3Name,
-    const word& e1Name
-)
-{
-    point origin;
-
-    if (dict.readIfPresent("CofR", origin))
+    //- The dictionary with the entries that let OpenFOAM take a field of forces
+    static dictionary withForceDensity
+    (
+        const dictionary& dict,
+        const word& fieldName
+    )
     {
-        const vector e3
-        (
-            e3Name.empty() ? vector(0, 0, 1) : dict.get<vector>(e3Name)
-        );
-        const vector e1
-        (
-            e1Name.empty() ? vector(1, 0, 0) : dict.get<vector>(e1Name)
-        );
-
-        axes_.reset(new coordSystem::cartesian(origin, e3, e1));
-    }
-    else if (dict.found(coordinateSystem::typeName_()))
-    {
-        axes_ = coordinateSystem::New
-        (
-            obr_,
-            dict,
-            coordinateSystem::typeName_()
-        );
-    }
-    else
-    {
-        axes_.reset(new coordSystem::cartesian(dict));
-    }
-}
-
-
-bool Foam::SPH::sphForces::integrate()
-{
-    const auto* solver =
-        mesh_.findObject<flowSolver>(flowSolver::typeName);
-
-    if (!solver)
-    {
-        return false;
+        dictionary result(dict);
+        result.set("directForceDensity", true);
+        result.set("fD", fieldName);
+        return result;
     }
 
-    const particleMesh& particles = solver->particles();
-    const solutionSpace& space = particles.space();
-    const faceStates& faces = solver->faces();
-    const scalar rho = solver->kinematic() ? rhoRef_ : 1;
-
-    vector force[2] = {Zero, Zero};
-    vector moment[2] = {Zero, Zero};
-
-    for (const label patchi : patches_)
+    //- Add the forces of the fluxes to the faces of the patches
+    static void addForces
+    (
+        const flowSolver& solver,
+        const dictionary& dict,
+        volVectorField::Boundary& density
+    )
     {
-        const particlePatch& patch = particles.boundary()[patchi];
+        const solutionSpace& space = solver.particles().space();
+        const faceStates& faces = solver.faces();
+        const scalar pRef = dict.getOrDefault<scalar>("pRef", 0);
+        const scalar rho =
+            solver.kinematic() ? dict.getOrDefault<scalar>("rhoInf", 1) : 1;
 
-        for
-        (
-            label facei = patch.start();
-            facei < patch.start() + patch.size();
-            ++facei
-        )
+        for (const particlePatch& patch : solver.particles().boundary())
         {
-            const vector arm
-            (
-                particles.boundary().faces().Cf[facei] - axes_->origin()
-            );
-            const vector f[2] =
+            const fvPatch& meshPatch = patch.patch();
+            vectorField& values = density[patch.index()];
+            const labelUList face(patch.face());
+            forAll(face, k)
             {
-                space.toGlobal
-                (
-                    rho*faces.pressureForce()[facei]
-                  - pRef_*faces.magSf()[facei]*faces.n()[facei]
-                ),
-                rho*space.toGlobal(faces.viscousForce()[facei])
-            };
-
-            for (const int k : {0, 1})
-            {
-                force[k] += f[k];
-                moment[k] += arm ^ f[k];
+                const label facei = patch.start() + k;
+                values[face[k]] +=
+                    space.toGlobal
+                    (
+                        rho
+                       *(
+                            faces.pressureForce()[facei]
+                          + faces.viscousForce()[facei]
+                        )
+                      - pRef*faces.magSf()[facei]*faces.n()[facei]
+                    )
+                   /meshPatch.magSf()[face[k]];
             }
         }
     }
-
-    for (const int k : {0, 1})
-    {
-        reduce(force[k], sumOp<vector>());
-        reduce(moment[k], sumOp<vector>());
-    }
-
-    pressureForce_ = axes_->localVector(force[0]);
-    viscousForce_ = axes_->localVector(force[1]);
-    pressureMoment_ = axes_->localVector(moment[0]);
-    viscousMoment_ = axes_->localVector(moment[1]);
-
-    return true;
 }
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::SPH::sphForces::writeLine
-(
-    const word& title,
-    const vector& pressure,
-    const vector& viscous,
-    autoPtr<OFstream>& file
-)
-{
-    if (!writeToFile() || !Pstream::master())
-    {
-        return;
-    }
-
-    if (!file.valid())
-    {
-        file = createFile(title);
-        writeHeader(file(), title);
-        writeHeaderValue(file(), "CofR", axes_->origin());
-        writeHeader(file(), "");
-        writeCommented(file(), "Time");
-        writeTabbed(file(), "(total_x total_y total_z)");
-        writeTabbed(file(), "(pressure_x pressure_y pressure_z)");
-        writeTabbed(file(), "(viscous_x viscous_y viscous_z)");
-        file() << endl;
-    }
-
-    writeCurrentTime(file());
-    file()
-        << tab << pressure + viscous
-        << tab << pressure
-        << tab << viscous << endl;
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::SPH::sphForces::sphForces
+template<class Forces>
+Foam::SPH::fluxForces<Forces>::fluxForces
 (
     const word& name,
     const Time& runTime,
-    const dictionary& dict,
-    const bool readAxes
+    const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name),
-    rhoRef_(1),
-    pRef_(0),
-    pressureForce_(Zero),
-    viscousForce_(Zero),
-    pressureMoment_(Zero),
-    viscousMoment_(Zero)
-{
-    if (readAxes)
-    {
-        read(dict);
-        setAxes(dict, word::null, word::null);
-    }
-}
+    Forces(name, runTime, withForceDensity(dict, name + ":forceDensity")),
+    dict_(dict),
+    density_
+    (
+        IOobject
+        (
+            name + ":forceDensity",
+            runTime.timeName(),
+            this->mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        ),
+        this->mesh_,
+        dimensionedVector(dimPressure, Zero)
+    )
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::SPH::sphForces::read(const dictionary& dict)
+template<class Forces>
+bool Foam::SPH::fluxForces<Forces>::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
-
-    patches_ =
-        mesh_.boundaryMesh().patchSet(dict.get<wordRes>("patches"));
-
-    pRef_ = dict.getOrDefault<scalar>("pRef", 0);
-    if (dict.getOrDefault<word>("rho", "rho") == "rhoInf")
-    {
-        dict.readEntry("rhoInf", rhoRef_);
-    }
-
-    return true;
+    dict_ = dict;
+    return Forces::read(withForceDensity(dict, density_.name()));
 }
 
 
-bool Foam::SPH::sphForces::execute()
+template<class Forces>
+bool Foam::SPH::fluxForces<Forces>::execute()
 {
-    if (integrate())
+    const auto* solver =
+        this->mesh_.template findObject<flowSolver>(flowSolver::typeName);
+    if (!solver)
     {
-        writeLine("force", pressureForce_, viscousForce_, forceFile_);
-        writeLine("moment", pressureMoment_, viscousMoment_, momentFile_);
-
-        Log << type() << " " << name() << ": force "
-            << pressureForce_ + viscousForce_
-            << " (pressure " << pressureForce_
-            << ", viscous " << viscousForce_ << ")" << endl;
-
-        setResult("force", pressureForce_ + viscousForce_);
-        setResult("moment", pressureMoment_ + viscousMoment_);
+        return true;
     }
 
-    return true;
+    density_ == dimensionedVector(dimPressure, Zero);
+    addForces(*solver, dict_, density_.boundaryFieldRef());
+    return Forces::execute();
 }
 
 
-bool Foam::SPH::sphForces::write()
+// * * * * * * * * * * * * * * * Registration  * * * * * * * * * * * * * * * //
+
+namespace Foam
 {
-    return true;
+namespace SPH
+{
+    typedef fluxForces<functionObjects::forces> sphForces;
+    typedef fluxForces<functionObjects::forceCoeffs> sphForceCoeffs;
+
+    defineTemplateTypeNameAndDebugWithName(sphForces, "sphForces", 0);
+    addToRunTimeSelectionTable(functionObject, sphForces, dictionary);
+
+    defineTemplateTypeNameAndDebugWithName(sphForceCoeffs, "sphForceCoeffs", 0);
+    addToRunTimeSelectionTable(functionObject, sphForceCoeffs, dictionary);
+}
 }
 
 
