@@ -10,8 +10,8 @@ License
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_triangle_primitive.h>
+
 #include <vector>
 
 #include "elementTree.H"
@@ -23,10 +23,9 @@ namespace
 {
     typedef CGAL::Simple_cartesian<double> kernel;
     typedef kernel::Point_3 point3;
-    typedef std::vector<kernel::Segment_3> segments;
     typedef std::vector<kernel::Triangle_3> triangles;
 
-    inline point3 toPoint(const Foam::point& p)
+    point3 toPoint(const Foam::point& p)
     {
         return point3(p.x(), p.y(), p.z());
     }
@@ -35,105 +34,21 @@ namespace
 
 // * * * * * * * * * * * * * * * * * Classes * * * * * * * * * * * * * * * * //
 
-namespace Foam
+struct Foam::SPH::elementTree::implementation
 {
-namespace SPH
-{
+    //- Elements that have an extent
+    triangles shapes;
+    std::vector<label> elements;
 
-class elementTree::implementation
-{
-public:
-
-    virtual ~implementation() = default;
-
-    virtual label nearest(const point& p) const = 0;
+    CGAL::AABB_tree
+    <
+        CGAL::AABB_traits
+        <
+            kernel,
+            CGAL::AABB_triangle_primitive<kernel, triangles::const_iterator>
+        >
+    > tree;
 };
-
-
-//- A CGAL tree over segments or triangles
-template<class Container, class Primitive>
-class boxTree
-:
-    public elementTree::implementation
-{
-    typedef CGAL::AABB_tree<CGAL::AABB_traits<kernel, Primitive>> treeType;
-
-    //- Shapes that have an extent, with their element indices
-    Container shapes_;
-    std::vector<label> elements_;
-
-    treeType tree_;
-
-public:
-
-    boxTree(Container&& shapes)
-    {
-        // Bounding box arithmetic of the library may raise exceptions
-        const sigFpe::ignore noTrapping;
-
-        shapes_.reserve(shapes.size());
-        for (size_t i = 0; i < shapes.size(); ++i)
-        {
-            if (!shapes[i].is_degenerate())
-            {
-                elements_.push_back(i);
-                shapes_.push_back(shapes[i]);
-            }
-        }
-        tree_.rebuild(shapes_.begin(), shapes_.end());
-        tree_.accelerate_distance_queries();
-        tree_.build();
-    }
-
-    virtual label nearest(const point& p) const
-    {
-        return
-            elements_.empty()
-          ? -1
-          : elements_
-            [
-                tree_.closest_point_and_primitive(toPoint(p)).second
-              - shapes_.begin()
-            ];
-    }
-};
-
-
-//- Few points in one dimension
-class pointSearch
-:
-    public elementTree::implementation
-{
-    std::vector<point> points_;
-
-public:
-
-    pointSearch(std::vector<point>&& points)
-    :
-        points_(std::move(points))
-    {}
-
-    virtual label nearest(const point& p) const
-    {
-        label found = -1;
-        for (size_t i = 0; i < points_.size(); ++i)
-        {
-            if
-            (
-                found < 0
-             || mag(p.x() - points_[i].x()) < mag(p.x() - points_[found].x())
-            )
-            {
-                found = i;
-            }
-        }
-
-        return found;
-    }
-};
-
-} // End namespace SPH
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -144,51 +59,32 @@ Foam::SPH::elementTree::elementTree
     const UList<point>& points,
     const UList<FixedList<label, 3>>& elements
 )
+:
+    tree_(new implementation)
 {
-    if (nDims == 1)
-    {
-        std::vector<point> all;
-        for (const FixedList<label, 3>& e : elements)
-        {
-            all.push_back(points[e[0]]);
-        }
-        tree_.reset(new pointSearch(std::move(all)));
-    }
-    else if (nDims == 2)
-    {
-        segments all;
-        for (const FixedList<label, 3>& e : elements)
-        {
-            all.emplace_back(toPoint(points[e[0]]), toPoint(points[e[1]]));
-        }
+    // Bounding box arithmetic of the library may raise exceptions
+    const sigFpe::ignore noTrapping;
 
-        typedef CGAL::AABB_segment_primitive
-        <
-            kernel,
-            segments::const_iterator
-        > primitive;
-        tree_.reset(new boxTree<segments, primitive>(std::move(all)));
-    }
-    else
+    forAll(elements, elementi)
     {
-        triangles all;
-        for (const FixedList<label, 3>& e : elements)
-        {
-            all.emplace_back
-            (
-                toPoint(points[e[0]]),
-                toPoint(points[e[1]]),
-                toPoint(points[e[2]])
-            );
-        }
+        // Points and segments are the sides of triangles that stand upright on
+        // the line or plane of all queries
+        const FixedList<label, 3>& v = elements[elementi];
+        const point& a = points[v[0]];
+        const point b(nDims > 1 ? points[v[1]] : a + vector(0, 1, 0));
+        const point c(nDims > 2 ? points[v[2]] : a + vector(0, 0, mag(b - a)));
 
-        typedef CGAL::AABB_triangle_primitive
-        <
-            kernel,
-            triangles::const_iterator
-        > primitive;
-        tree_.reset(new boxTree<triangles, primitive>(std::move(all)));
+        const kernel::Triangle_3 t(toPoint(a), toPoint(b), toPoint(c));
+        if (!t.is_degenerate())
+        {
+            tree_->shapes.push_back(t);
+            tree_->elements.push_back(elementi);
+        }
     }
+
+    tree_->tree.rebuild(tree_->shapes.begin(), tree_->shapes.end());
+    tree_->tree.accelerate_distance_queries();
+    tree_->tree.build();
 }
 
 
@@ -200,7 +96,13 @@ Foam::SPH::elementTree::~elementTree()
 
 Foam::label Foam::SPH::elementTree::nearest(const point& p) const
 {
-    return tree_->nearest(p);
+    if (tree_->elements.empty())
+    {
+        return -1;
+    }
+
+    const auto found = tree_->tree.closest_point_and_primitive(toPoint(p));
+    return tree_->elements[found.second - tree_->shapes.begin()];
 }
 
 
