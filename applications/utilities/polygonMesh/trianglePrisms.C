@@ -26,6 +26,7 @@ License
 
 #include <list>
 #include <map>
+#include <set>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -169,58 +170,34 @@ scalar distance(const outline& segments, const vector2D& p)
 }
 
 
-//- A point in each region that an even number of lines encloses, other than
-//- the outermost one
-std::list<kernel::Point_2> holes(const triangulation& t)
+//- Mark the triangles that an odd number of lines encloses
+void markDomain(const triangulation& t)
 {
-    std::list<kernel::Point_2> seeds;
-    std::map<triangulation::Face_handle, int> depth;
-    std::list<std::pair<triangulation::Face_handle, int>> front;
-    front.push_back({t.infinite_face(), 0});
+    // All of a region comes before what lies across its lines
+    std::set<triangulation::Face_handle> marked;
+    std::list<std::pair<triangulation::Face_handle, bool>> front;
+    front.push_back({t.infinite_face(), false});
 
     while (!front.empty())
     {
-        const auto start = front.front();
+        const auto [f, inside] = front.front();
         front.pop_front();
-        if (depth.count(start.first))
+        if (!marked.insert(f).second)
         {
             continue;
         }
-        if (start.second > 0 && start.second % 2 == 0)
-        {
-            seeds.push_back(CGAL::centroid(t.triangle(start.first)));
-        }
 
-        // The region of the face, and what lies across its lines
-        std::list<triangulation::Face_handle> region(1, start.first);
-        while (!region.empty())
+        f->set_in_domain(inside);
+        for (int k = 0; k < 3; ++k)
         {
-            const triangulation::Face_handle f = region.front();
-            region.pop_front();
-            if (!depth.emplace(f, start.second).second)
-            {
-                continue;
-            }
-            for (int k = 0; k < 3; ++k)
-            {
-                const triangulation::Face_handle other = f->neighbor(k);
-                if (depth.count(other))
-                {
-                    continue;
-                }
-                if (t.is_constrained({f, k}))
-                {
-                    front.push_back({other, start.second + 1});
-                }
-                else
-                {
-                    region.push_back(other);
-                }
-            }
+            const bool line = t.is_constrained({f, k});
+            front.insert
+            (
+                line ? front.end() : front.begin(),
+                {f->neighbor(k), inside != line}
+            );
         }
     }
-
-    return seeds;
 }
 
 
@@ -246,14 +223,18 @@ void triangulate
         }
     }
 
-    const std::list<kernel::Point_2> seeds(holes(t));
+    if (t.dimension() < 2)
+    {
+        return;
+    }
+    markDomain(t);
 
     // The default bound of the angles, for which CGAL's refinement ends
     CGAL::Delaunay_mesher_2<triangulation, criteria> mesher
     (
         t, criteria(0.125, size)
     );
-    mesher.set_seeds(seeds.begin(), seeds.end());
+    mesher.init(true);
     mesher.refine_mesh();
 }
 
