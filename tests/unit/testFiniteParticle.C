@@ -655,6 +655,23 @@ TEST(GradientWeights, AreExactForLinearFields)
 }
 
 
+TEST(GradientWeights, LeaveOutDirectionsWithHardlyAnyMoment)
+{
+    const auto inverse = [](const scalar least)
+    {
+        tensor inv;
+        gradientWeights::invert(tensor(1, 0, 0, 0, least, 0, 0, 0, 0), 2, inv);
+        return inv;
+    };
+
+    // Neighbours on one side only leave a third
+    EXPECT_NEAR(inverse(0.3).yy(), 1/0.3, 1e-12);
+    EXPECT_NEAR(inverse(0.06).yy(), 1/0.06, 1e-12);
+    EXPECT_NEAR(inverse(0.04).yy(), 0, 1e-12);
+    EXPECT_NEAR(inverse(0.04).xx(), 1, 1e-12);
+}
+
+
 TEST(ConservationLaw, KeepsAFreeStreamBitwise)
 {
     for (const word limiter : {"firstOrder", "none", "vanLeer"})

@@ -439,6 +439,33 @@ TEST(CommonFields, namesTheTimesOfBothMethodsWhereNoneIsCommon)
 }
 
 
+TEST(CommonFields, areThoseOfTimesThatDifferByRoundOffOnly)
+{
+    const std::string p(fieldFile("0 2 -2 0 0 0 0", "1", "type zeroGradient;"));
+    testCase box(testCase::layout{});
+    box.write("1/p.sph", p, "volScalarField");
+
+    // Nearly all steps of a run end some units of round-off beside a time
+    testCase equal(testCase::layout{});
+    equal.write("1.0000000001/p", p, "volScalarField");
+    const referenceCase same(box.mesh(), equal.path());
+    const commonFields common(box.mesh(), same, wordRes());
+    EXPECT_EQ(commonFields::names(common.times()), "1");
+
+    testCase next(testCase::layout{});
+    next.write("1.0001/p", p, "volScalarField");
+    const referenceCase other(box.mesh(), next.path());
+    EXPECT_TRUE
+    (
+        contains
+        (
+            errorMessage([&] { commonFields(box.mesh(), other, wordRes()); }),
+            "No time has fields to compare"
+        )
+    );
+}
+
+
 TEST(CommonFields, ofDifferentTypesAreAnError)
 {
     testCase box(testCase::layout{});
