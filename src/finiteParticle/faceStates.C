@@ -89,6 +89,63 @@ Foam::SPH::faceStates::faceStates
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList Foam::SPH::faceStates::meanLags() const
+{
+    const label nDims = loopDims(particles_);
+    const polyBoundaryMesh& patches = particles_.mesh().boundaryMesh();
+
+    // Areas and lags over pressure and velocity of sound are summed in whole
+    // multiples of a small unit, which are exact: so ranks do not change them
+    constexpr scalar largestExact = 1e15;
+    const scalar unit =
+        max(returnReduce(size(), sumOp<label>()), 1)/largestExact;
+    const scalar largestArea = gMax(magSf_);
+    const scalar scale[2] = {sqr(followSpeed_), followSpeed_};
+
+    scalarList areas(2*patches.nNonProcessor(), Zero);
+    scalarList lags(areas.size(), Zero);
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        for (label facei = patch.start(); facei < patch.start() + patch.size();
+            ++facei)
+        {
+            const auto lag = [&](const label v)
+            {
+                return target_[v*size() + facei] - followed_[v*size() + facei];
+            };
+            scalar lagging[2] = {lag(0), 0};
+            for (label d = 0; d < nDims; ++d)
+            {
+                lagging[1] += lag(1 + d)*n_[facei][d];
+            }
+
+            const scalar area = magSf_[facei]/(largestArea*unit);
+            for (label v = 0; v < 2 && !reflects(facei); ++v)
+            {
+                if (!given_[v][facei])
+                {
+                    const label k = 2*patch.index() + v;
+                    areas[k] += std::round(area);
+                    lags[k] += std::round(area*lagging[v]/scale[v]);
+                }
+            }
+        }
+    }
+    Pstream::listCombineGather(areas, plusEqOp<scalar>());
+    Pstream::listCombineGather(lags, plusEqOp<scalar>());
+    Pstream::listCombineScatter(areas);
+    Pstream::listCombineScatter(lags);
+
+    forAll(lags, k)
+    {
+        lags[k] *= scale[k % 2]/max(areas[k], scalar(1));
+    }
+    return lags;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::faceStates::startFollowing
@@ -122,9 +179,27 @@ void Foam::SPH::faceStates::startFollowing
 
 void Foam::SPH::faceStates::follow(const scalar dt)
 {
-    if (followTime_ > 0)
+    if (followTime_ <= 0)
     {
-        followed_ -= std::expm1(-0.5*dt/followTime_)*(target_ - followed_);
+        return;
+    }
+
+    const scalarList lags(meanLags());
+    const scalar remaining = std::exp(-0.5*dt/followTime_);
+    const label nDims = loopDims(particles_);
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        for (label k = 0; k < patch.size(); ++k)
+        {
+            const label facei = patch.start() + k;
+            const scalar* lag = &lags[2*patch.index()];
+            for (label v = 0; v <= nDims; ++v)
+            {
+                followed_[v*size() + facei] =
+                    target_[v*size() + facei]
+                  - remaining*(v ? lag[1]*n_[facei][v - 1] : lag[0]);
+            }
+        }
     }
 }
 

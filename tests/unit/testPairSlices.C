@@ -138,7 +138,7 @@ TEST(PairSlices, OfAPartHoldWhatThoseOfTheWholeCaseHold)
 {
     const auto scene = particleScene::New("periodic", 0.3);
     const auto all = scene->assemble("type consistent; order 1;");
-    const pairSlices wholeSlices(*all);
+    const pairSlices wholeSlices(*all, GREAT);
 
     for (const bool left : {true, false})
     {
@@ -156,7 +156,7 @@ TEST(PairSlices, OfAPartHoldWhatThoseOfTheWholeCaseHold)
         (
             all->mesh(), all->properties(), std::move(mine.data)
         );
-        const pairSlices slices(particles);
+        const pairSlices slices(particles, GREAT);
         const label n = particles.nParticles();
         ASSERT_GT(particles.nHalo(), 0);
 
