@@ -130,6 +130,7 @@ Foam::SPH::conservationLaw::conservationLaw
     R0_(nVariables, 0),
     W_(nVariables, haloExchange::nSlices(particles_)),
     R_(nVariables, pairs_.nSlices()),
+    force_(0, 0),
     sleeping_
     (
         faces, pairs_, schemes.getOrDefault<Switch>("sleeping", true)
@@ -250,6 +251,21 @@ Foam::label Foam::SPH::conservationLaw::nFallbacks()
     const label n = nReduced_;
     nReduced_ = 0;
     return n;
+}
+
+
+void Foam::SPH::conservationLaw::setForce(const vectorField& forceByVolume)
+{
+    const label nDims = loopDims(particles_);
+    force_ = slicedField(nDims, pairs_.nSlices());
+    forAll(forceByVolume, i)
+    {
+        for (label d = 0; d < nDims; ++d)
+        {
+            force_[d][i] =
+                particles_.V()[i]*forceByVolume[i][particles_.space().axis(d)];
+        }
+    }
 }
 
 

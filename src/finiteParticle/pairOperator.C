@@ -154,6 +154,26 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setFluxes
 }
 
 
+template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addForces()
+{
+    #pragma omp parallel for
+    for (label i = 0; i < force_.size(); ++i)
+    {
+        vec force;
+        for (int d = 0; d < nDims; ++d)
+        {
+            force[d] = force_[d][i];
+        }
+        const vars rate(flux_.forced(load(W_, i), force));
+        for (int v = 0; v < nVars; ++v)
+        {
+            R_[v][i] += rate[v];
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
@@ -242,6 +262,27 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setConserved
 
 
 template<class Flux, class Limiter, bool Viscous>
+void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setVelocity
+(
+    const vectorField& U
+)
+{
+    forAll(U, i)
+    {
+        vars values(load(W_, i));
+        for (int d = 0; d < nDims; ++d)
+        {
+            values[1 + d] = U[i][particles_.space().axis(d)];
+        }
+        save(values, W_, i);
+        save(flux_.conserved(values), Q_, i);
+    }
+    slicesCurrent_ = false;
+    limitsCurrent_ = false;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
 {
     Q_ = Q0_;
@@ -307,6 +348,8 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
     {
         addFaceFluxes(k);
     }
+
+    addForces();
 
     sleeping_.wake(R_);
 }

@@ -127,7 +127,7 @@ Foam::SPH::compressibleFlow::compressibleFlow
     );
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
-    setStart();
+    setStart(U_);
     storedRho_.clear();
 }
 

@@ -63,7 +63,7 @@ bool Foam::SPH::flowSolver::hasField(const word& name) const
 }
 
 
-void Foam::SPH::flowSolver::setStart()
+void Foam::SPH::flowSolver::setStart(const volVectorField& U)
 {
     maxCo_ = schemes_.getCheckOrDefault<scalar>
     (
@@ -84,7 +84,14 @@ void Foam::SPH::flowSolver::setStart()
     {
         law_->setPrimitive(primitiveStart());
     }
-    startSleeping(continues);
+    if (momentumSources::present(runTime_))
+    {
+        sources_.reset(new momentumSources(U, kinematic(), *law_));
+    }
+    else
+    {
+        startSleeping(continues);
+    }
     Info<< (continues ? "Continuing" : "Starting") << " from the fields of"
         << " time " << runTime_.timeName() << nl << nl
         << "Boundary conditions" << nl;

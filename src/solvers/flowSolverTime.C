@@ -198,7 +198,17 @@ void Foam::SPH::flowSolver::advance()
             runTime_.setDeltaT(dt, false);
             runTime_.setTime(end - left, --subIndex_);
         }
+        if (sources_)
+        {
+            sources_->set(dt);
+        }
         step(dt);
+        if (sources_)
+        {
+            // What they write belongs to the time of the run
+            runTime_.setTime(end, runTime_.timeIndex());
+            sources_->correct();
+        }
     }
     if (nSteps > 1)
     {

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unsupportedModels.H"
+#include "momentumSources.H"
 #include "stressModels.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -58,7 +59,6 @@ namespace SPH
 void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
 {
     const word constant(runTime.constant());
-    const word system(runTime.system());
 
     const IOdictionary turbulence
     (
@@ -77,13 +77,7 @@ void Foam::SPH::refuseUnsupportedModels(const Time& runTime)
         );
     }
 
-    for (const word& folder : {constant, system})
-    {
-        refuseActive
-        (
-            readDictIfPresent(runTime, "fvOptions", folder), "fvOptions"
-        );
-    }
+    momentumSources::refuseOthers(runTime);
     refuseActive
     (
         readDictIfPresent(runTime, "MRFProperties", constant), "rotating frames"

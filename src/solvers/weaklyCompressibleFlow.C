@@ -420,7 +420,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     {
         incompressibleStart(U_, p_);
     }
-    setStart();
+    setStart(U_);
     setAbsorption();
 }
 
