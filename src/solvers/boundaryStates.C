@@ -10,7 +10,30 @@ License
 #include "boundaryStates.H"
 #include "advectiveFvPatchField.H"
 #include "basicSymmetryFvPatchFields.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "mixedFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- Conditions that a pressure equation sets get a gradient of zero: without
+    //- body forces a wall or an inlet has no other
+    static void holdGradient(fvPatchScalarField& pp)
+    {
+        if (isA<fixedFluxPressureFvPatchScalarField>(pp))
+        {
+            refCast<fixedFluxPressureFvPatchScalarField>(pp).updateSnGrad
+            (
+                scalarField(pp.size(), Zero)
+            );
+        }
+    }
+}
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -203,6 +226,16 @@ bool Foam::SPH::boundaryStates::givesVelocity(const fvPatchVectorField& Up)
 }
 
 
+void Foam::SPH::boundaryStates::evaluatePressure(volScalarField& p)
+{
+    for (fvPatchScalarField& pp : p.boundaryFieldRef())
+    {
+        holdGradient(pp);
+    }
+    p.correctBoundaryConditions();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::SPH::boundaryStates::correct
@@ -236,7 +269,9 @@ void Foam::SPH::boundaryStates::correct
         U_.boundaryFieldRef()[patchi].evaluate();
         for (const scalarVariable& s : scalars_)
         {
-            s.field.boundaryFieldRef()[patchi].evaluate();
+            fvPatchScalarField& sp = s.field.boundaryFieldRef()[patchi];
+            holdGradient(sp);
+            sp.evaluate();
         }
         copyPatches(patchi);
     }

@@ -9,6 +9,7 @@ License
 
 #include "boundaryStates.H"
 #include "basicSymmetryFvPatchFields.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedNormalSlipFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "noSlipFvPatchVectorField.H"
@@ -35,6 +36,7 @@ bool Foam::SPH::boundaryStates::isOwn(const fvPatchField<Type>& patchField)
 {
     return
         patchField.type() == zeroGradientFvPatchField<Type>::typeName
+     || patchField.type() == fixedFluxPressureFvPatchScalarField::typeName
      || isA<basicSymmetryFvPatchField<Type>>(patchField);
 }
 

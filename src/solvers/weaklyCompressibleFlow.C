@@ -183,7 +183,7 @@ void Foam::SPH::weaklyCompressibleFlow::startBoundaries()
 
     // Those of a free stream divide by the velocity: by that of the file, as
     // for FVM, since the fluid may be at rest
-    p_.correctBoundaryConditions();
+    boundaryStates::evaluatePressure(p_);
     U_.correctBoundaryConditions();
 }
 
@@ -351,7 +351,7 @@ void Foam::SPH::weaklyCompressibleFlow::updateFields()
     getMomentum(rhoU_);
     p_.primitiveFieldRef() = law_->primitive(0);
     U_.correctBoundaryConditions();
-    p_.correctBoundaryConditions();
+    boundaryStates::evaluatePressure(p_);
     warnOfCompression();
 
     if (runTime_.writeTime() || runTime_.functionObjects().size())
