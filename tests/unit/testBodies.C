@@ -299,6 +299,42 @@ TEST(FileSurface, closedSurfaceIsTakenOutward)
 }
 
 
+TEST(FileSurface, aPartWithinAnotherBoundsACavity)
+{
+    testCase c(withHole(false));
+    const orientedSurface outer(boxSurface(-point::one, point::one, 2));
+    const orientedSurface inner(boxSurface(-0.5*point::one, 0.5*point::one, 2));
+
+    pointField points(outer.points());
+    points.append(inner.points());
+    List<orientedSurface::element> elements(outer.elements());
+    for (orientedSurface::element e : inner.elements())
+    {
+        for (label& v : e.vertices)
+        {
+            v += outer.points().size();
+        }
+        elements.append(e);
+    }
+    writeSTL
+    (
+        c,
+        "hollow.stl",
+        orientedSurface
+        (
+            outer.space(), std::move(points), std::move(elements)
+        )
+    );
+
+    const fileSurface hollow
+    (
+        c.time(), solutionSpace(c.mesh()), dict("surface \"hollow.stl\";")
+    );
+    EXPECT_NEAR(hollow.volume(), 8 - 1, 1e-12);
+    EXPECT_NEAR(surfaceDistance(hollow).distance(point::zero), 0.5, 1e-12);
+}
+
+
 TEST(FileSurface, smallHolesAreRepairedAndLargeOnesRefused)
 {
     testCase c(withHole(false));

@@ -17,6 +17,7 @@ Description
 #include "particleMoments.H"
 #include "particlePairs.H"
 #include "Random.H"
+#include "rawPairAreas.H"
 #include "StringStream.H"
 #include "torqueClosure.H"
 #include "volFields.H"
@@ -573,6 +574,31 @@ TEST(Closure, weakPairsAreLeftOut)
 
 
 // * * * * * * * * * * * * * * *  closeMoments * * * * * * * * * * * * * * * //
+
+TEST(Closure, whatRemainsOfPairsKeepsTheirMoments)
+{
+    // The largest pair of particle 2 is small for particle 1: it stays
+    particleMeshData data;
+    data.points.setSize(3, Zero);
+    data.owner = labelList({0, 0, 1});
+    data.neighbour = labelList({1, 2, 2});
+    data.delta = vectorField(3, vector(1, 0, 0));
+    data.Sf = vectorField
+    ({
+        vector(1, 0, 0), vector(0.005, 0, 0), vector(0.08, 0, 0)
+    });
+    dropWeakPairs(0.1, data);
+
+    EXPECT_EQ(data.owner, labelList({0, 1}));
+    EXPECT_EQ(data.neighbour, labelList({1, 2}));
+
+    // Moments of the three before: 1.005, 1.08, 0.085, of what stays: 1, 1.08,
+    // 0.08. A pair is scaled by the mean of its particles
+    ASSERT_EQ(data.Sf.size(), 2);
+    EXPECT_NEAR(data.Sf[0].x(), 0.5*(1.005 + 1), 1e-15);
+    EXPECT_NEAR(data.Sf[1].x(), 0.08*0.5*(1 + 0.085/0.08), 1e-15);
+}
+
 
 TEST(MomentClosure, defectsOfCoarseParticlesDoNotMoveFacesOfFineOnes)
 {

@@ -411,6 +411,33 @@ TEST(MovingLeastSquares, boundedMappingKeepsAJumpInItsRange)
 }
 
 
+TEST(MovingLeastSquares, farTargetsDoNotAmplifyErrors)
+{
+    // Two spacings beyond the corner of sources, where a linear function
+    // through the nearest few has large weights of both signs
+    const pointField from(lattice(2, 6, 0));
+    const pointField to(1, point(1.25, 1.25, 0));
+    const movingLeastSquares map
+    (
+        unitSpace(2),
+        {from, scalarField(from.size(), 1.0/6)},
+        {to, scalarField(1, 1.0/6)}
+    );
+
+    // What an error of size one at every source may give
+    scalar sum = 0;
+    forAll(from, k)
+    {
+        scalarField error(from.size(), Zero);
+        error[k] = 1;
+        scalarField mapped(1);
+        map.map(error, mapped);
+        sum += mag(mapped[0]);
+    }
+    EXPECT_LE(sum, 4 + 1e-12);
+}
+
+
 TEST(MovingLeastSquares, needsSources)
 {
     const pointField none;

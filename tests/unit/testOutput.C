@@ -63,6 +63,15 @@ TEST(TickMarks, areRoundNumbersInTheRange)
 }
 
 
+TEST(TickMarks, includeTheEndsWhateverRoundOffThereIs)
+{
+    // In doubles 3*0.1 is above 0.3
+    const tickMarks ticks(0, 0.3, 3);
+    ASSERT_EQ(ticks.values().size(), 4);
+    EXPECT_EQ(ticks.label(ticks.values()[3]), "0.3");
+}
+
+
 TEST(TickMarks, ofOneValueIsThatValue)
 {
     EXPECT_EQ(tickMarks(3, 3, 5).values(), scalarList(1, scalar(3)));

@@ -157,6 +157,28 @@ TEST(SurfaceDistance, squareHasFacesAndCorners)
 }
 
 
+TEST(SurfaceDistance, nothingFarAwayIsInside)
+{
+    // The star's edges are nearest in turn; from afar all are in round-off
+    const surfaceDistance star
+    (
+        polygon
+        ({{
+            {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}, {-0.2, 0.2, 0},
+            {-1, 0, 0}, {-0.2, -0.2, 0}, {0, -1, 0}, {0.2, -0.2, 0}
+        }})
+    );
+
+    EXPECT_TRUE(star.inside(point(0.1, 0.1, 0)));
+    for (label k = 0; k < 360; ++k)
+    {
+        const scalar angle = k*pi/180;
+        const point p(1e17*std::cos(angle), 1e17*std::sin(angle), 0);
+        EXPECT_FALSE(star.inside(p)) << k;
+    }
+}
+
+
 TEST(SurfaceDistance, cornersAndThinEdgesHaveTheRightSign)
 {
     const scalar fiveDegrees = std::tan(pi/36);
