@@ -587,7 +587,10 @@ TEST(Closure, whatRemainsOfPairsKeepsTheirMoments)
     ({
         vector(1, 0, 0), vector(0.005, 0, 0), vector(0.08, 0, 0)
     });
-    dropWeakPairs(0.1, data);
+    dropWeakPairs
+    (
+        solutionSpace(1, {0, 1, 2}, 1, vector::zero), 0.1, data
+    );
 
     EXPECT_EQ(data.owner, labelList({0, 1}));
     EXPECT_EQ(data.neighbour, labelList({1, 2}));
