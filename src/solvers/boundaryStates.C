@@ -11,6 +11,7 @@ License
 #include "advectiveFvPatchField.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "freestreamVelocityFvPatchVectorField.H"
 #include "mixedFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -29,6 +30,20 @@ namespace SPH
             (
                 scalarField(pp.size(), Zero)
             );
+        }
+    }
+
+    //- Conditions of a free stream divide by the velocity to see which way it
+    //- points: fluid at rest leaves as the stream would
+    static void keepDirection(fvPatchVectorField& Up)
+    {
+        const auto* stream = isA<freestreamVelocityFvPatchVectorField>(Up);
+        forAll(Up, facei)
+        {
+            if (stream && magSqr(Up[facei]) < VSMALL)
+            {
+                Up[facei] = SMALL*stream->freestreamValue()[facei];
+            }
         }
     }
 }
@@ -226,6 +241,16 @@ bool Foam::SPH::boundaryStates::givesVelocity(const fvPatchVectorField& Up)
 }
 
 
+void Foam::SPH::boundaryStates::evaluateVelocity(volVectorField& U)
+{
+    U.correctBoundaryConditions();
+    for (fvPatchVectorField& Up : U.boundaryFieldRef())
+    {
+        keepDirection(Up);
+    }
+}
+
+
 void Foam::SPH::boundaryStates::evaluatePressure(volScalarField& p)
 {
     for (fvPatchScalarField& pp : p.boundaryFieldRef())
@@ -266,7 +291,9 @@ void Foam::SPH::boundaryStates::correct
 
     for (const label patchi : evaluatedPatches_)
     {
-        U_.boundaryFieldRef()[patchi].evaluate();
+        fvPatchVectorField& Up = U_.boundaryFieldRef()[patchi];
+        Up.evaluate();
+        keepDirection(Up);
         for (const scalarVariable& s : scalars_)
         {
             fvPatchScalarField& sp = s.field.boundaryFieldRef()[patchi];

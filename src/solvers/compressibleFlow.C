@@ -65,7 +65,7 @@ void Foam::SPH::compressibleFlow::updateFields()
     p_.primitiveFieldRef() = law_->primitive(1 + nDims);
     rhoE_.primitiveFieldRef() = law_->conserved(1 + nDims);
 
-    U_.correctBoundaryConditions();
+    boundaryStates::evaluateVelocity(U_);
     T_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
     static_cast<compressibleStates&>(*faces_).correctDensity();

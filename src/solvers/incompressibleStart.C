@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "incompressibleStart.H"
+#include "boundaryStates.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvMatrices.H"
@@ -129,7 +130,7 @@ void Foam::SPH::incompressibleStart(volVectorField& U, volScalarField& p)
     U.primitiveFieldRef() -=
         fv::gaussGrad<scalar>::gradf(linearInterpolate(Phi), "grad(Phi)")()
        .primitiveField();
-    U.correctBoundaryConditions();
+    boundaryStates::evaluateVelocity(U);
 
     const scalarMinMax range(gMinMax(p.primitiveField()));
     if (range.min() < range.max())

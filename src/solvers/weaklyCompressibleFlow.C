@@ -184,7 +184,7 @@ void Foam::SPH::weaklyCompressibleFlow::startBoundaries()
     // Those of a free stream divide by the velocity: by that of the file, as
     // for FVM, since the fluid may be at rest
     boundaryStates::evaluatePressure(p_);
-    U_.correctBoundaryConditions();
+    boundaryStates::evaluateVelocity(U_);
 }
 
 
@@ -350,7 +350,7 @@ void Foam::SPH::weaklyCompressibleFlow::updateFields()
     getVelocity(U_);
     getMomentum(rhoU_);
     p_.primitiveFieldRef() = law_->primitive(0);
-    U_.correctBoundaryConditions();
+    boundaryStates::evaluateVelocity(U_);
     boundaryStates::evaluatePressure(p_);
     warnOfCompression();
 
