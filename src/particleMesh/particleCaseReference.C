@@ -43,7 +43,7 @@ namespace SPH
     {
         const vectorField& C = particles.cellCentres();
         point nearest(p);
-        scalar smallest = GREAT;
+        scalar smallest = VGREAT;
         forAll(C, i)
         {
             const scalar distance = magSqr(C[i] - p);

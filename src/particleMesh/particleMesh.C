@@ -17,7 +17,7 @@ void Foam::SPH::particleMesh::check() const
     // A rank may have none
     const auto positive = [&](const scalarField& values, const char* name)
     {
-        if (!(min(values) > 0) || !(max(values) < GREAT))
+        if (!(min(values) > 0) || !(max(values) < VGREAT))
         {
             FatalErrorInFunction
                 << "The " << name << " of the particles in "
