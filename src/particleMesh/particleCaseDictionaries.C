@@ -198,10 +198,15 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
     {
         if (!e.keyword().isPattern() && e.keyword().starts_with("div(phi"))
         {
-            if (isScheme(e.stream(), {"Gauss", "linear"}))
+            if
+            (
+                isScheme(e.stream(), {"Gauss", "linear"})
+             || isScheme(e.stream(), {"GaussAhead", "linear"})
+            )
             {
                 central = true;
-                convection += "    " + e.keyword() + " Gauss reconstructed;\n";
+                convection +=
+                    "    " + e.keyword() + " GaussAhead reconstructed;\n";
             }
             central =
                 central
@@ -213,7 +218,7 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
     if (!convection.empty())
     {
         additions +=
-            "// Linear, but exact at the faces' centres\n"
+            "// Linear, but exact at faces' centres, by the flux of the new time\n"
             "divSchemes\n{\n" + convection + "}\n";
     }
 

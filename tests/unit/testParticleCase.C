@@ -325,7 +325,7 @@ TEST_F(ParticleDictionaries, linearConvectionAndPressureAreReconstructed)
         "default none; div(phi,U) Gauss linear; div(phi,k) Gauss upwind;"
         " div((nuEff*dev2(T(grad(U))))) Gauss linear;"
     );
-    EXPECT_EQ(scheme(each, "div(phi,U)"), "Gauss reconstructed");
+    EXPECT_EQ(scheme(each, "div(phi,U)"), "GaussAhead reconstructed");
     EXPECT_EQ(scheme(each, "div(phi,k)"), "Gauss upwind");
     EXPECT_EQ
     (
@@ -333,7 +333,13 @@ TEST_F(ParticleDictionaries, linearConvectionAndPressureAreReconstructed)
     );
     EXPECT_EQ
     (
-        scheme("default Gauss linear;", "div(phi,U)"), "Gauss reconstructed"
+        scheme("default Gauss linear;", "div(phi,U)"),
+        "GaussAhead reconstructed"
+    );
+    EXPECT_EQ
+    (
+        scheme("default none; div(phi,U) GaussAhead linear;", "div(phi,U)"),
+        "GaussAhead reconstructed"
     );
     EXPECT_EQ(scheme("default Gauss linear;", "default"), "Gauss linear");
     EXPECT_EQ

@@ -7,6 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "convectionScheme.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvmLaplacian.H"
 #include "fvcLaplacian.H"
@@ -324,6 +325,94 @@ TEST(SchemesCase, reconstructedRefusesItsOwnGradient)
     );
     EXPECT_NE(message.find("grad(loop)"), std::string::npos) << message;
     EXPECT_NE(message.find("is itself"), std::string::npos) << message;
+}
+
+
+// * * * * * * * * * * * * * * * Convection  * * * * * * * * * * * * * * * * //
+
+//- Largest difference of the coefficients of GaussAhead from those of Gauss
+//- by the flux at time 1 + nSteps*.5, before a step and after the flux has
+//- been updated in it; the flux grows linearly in time
+std::pair<scalar, scalar> aheadErrors
+(
+    const dimensionSet& dims,
+    const bool secondOrder
+)
+{
+    schemesCase box(distortedBox(2, true));
+    const fvMesh& mesh = box.mesh();
+    Time& time = const_cast<Time&>(mesh.time());
+
+    const auto wave = [](const point& p) { return std::sin(7*p.x()) + p.y(); };
+    volScalarField f(fieldOf<scalar>(mesh, wave));
+    const auto fluxAt = [&](const scalar t)
+    {
+        surfaceScalarField flux
+        (
+            IOobject("flux", mesh.time().timeName(), mesh),
+            (mesh.Sf() & dimensionedVector("u", dimless, vector(2, -1, 0)))
+           *dimensionedScalar("t", dimless, t)
+        );
+        flux.dimensions().reset(dims);
+        return flux;
+    };
+    const auto coefficients = [&]
+    (
+        const surfaceScalarField& flux,
+        const std::string& schemeData
+    )
+    {
+        IStringStream is(schemeData);
+        const fvScalarMatrix matrix
+        (
+            fv::convectionScheme<scalar>::New(mesh, flux, is)().fvmDiv(flux, f)
+        );
+        scalarField all(matrix.upper());
+        all.append(matrix.lower());
+        all.append(matrix.diag());
+        all.append(matrix.source());
+        return all;
+    };
+
+    // Two steps of different length
+    surfaceScalarField flux(fluxAt(1));
+    flux.oldTime().oldTime();
+    time.setDeltaT(0.25, false);
+    ++time;
+    flux.oldTime();
+    flux.primitiveFieldRef() = fluxAt(1.25).primitiveField();
+    time.setDeltaT(0.5, false);
+    ++time;
+    f.oldTime();
+    if (secondOrder)
+    {
+        f.oldTime().oldTime();
+    }
+
+    const scalarField expected(coefficients(fluxAt(1.75), "Gauss linear"));
+    const scalar before =
+        max(mag(coefficients(flux, "GaussAhead linear") - expected));
+    flux.oldTime();
+    flux.primitiveFieldRef() = fluxAt(1.75).primitiveField();
+    const scalar after =
+        max(mag(coefficients(flux, "GaussAhead linear") - expected));
+
+    return {before, after};
+}
+
+
+TEST(SchemesCase, aheadConvectionHasTheFluxOfTheNewTime)
+{
+    const dimensionSet volumeFlux(dimVelocity*dimArea);
+    const auto errors = aheadErrors(volumeFlux, true);
+    EXPECT_LT(errors.first, 1e-14);
+    EXPECT_LT(errors.second, 1e-14);
+
+    // Neither for schemes of first order nor for mass fluxes
+    EXPECT_GT(aheadErrors(volumeFlux, false).first, 1e-3);
+    const auto massErrors = aheadErrors(dimMass/dimTime, true);
+    EXPECT_GT(massErrors.first, 1e-3);
+    EXPECT_LT(massErrors.second, 1e-14);
 }
 
 
