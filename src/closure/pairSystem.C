@@ -7,8 +7,63 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include <Eigen/Core>
+
 #include "pairSystem.H"
-#include "blockVectors.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- A row for each particle: the unknowns of each side one after the other
+    typedef Eigen::Array
+    <
+        scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor
+    > blockRows;
+    typedef Eigen::Array<scalar, 1, Eigen::Dynamic> blockRow;
+
+    static Eigen::Map<blockRows> rows(scalarField& x, const label width)
+    {
+        return Eigen::Map<blockRows>(x.data(), x.size()/width, width);
+    }
+
+    //- Dot product of each side, for each of its unknowns
+    static blockRow dots
+    (
+        scalarField& a,
+        scalarField& b,
+        const label width,
+        const label blockSize
+    )
+    {
+        blockRow sums((rows(a, width)*rows(b, width)).colwise().sum());
+        for (label first = 0; first < width; first += blockSize)
+        {
+            scalar sum = 0;
+            for (label k = 0; k < blockSize; ++k)
+            {
+                sum += sums[first + k];
+            }
+            sums.segment(first, blockSize) = sum;
+        }
+        return sums;
+    }
+
+    //- a/b, zero where b is
+    static blockRow ratio(const blockRow& a, const blockRow& b)
+    {
+        return a.binaryExpr
+        (
+            b,
+            [](const scalar x, const scalar y) { return y > VSMALL ? x/y : 0; }
+        );
+    }
+}
+}
+
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -196,27 +251,24 @@ Foam::SPH::pairSystem::performance Foam::SPH::pairSystem::solve
     scalarField z(b.size());
     scalarField Ap(b.size());
 
+    // Of the residual it is round-off that A does not see
+    const auto removeMean = [&](scalarField& values)
+    {
+        if (singular)
+        {
+            const blockRow mean(rows(values, width).colwise().mean());
+            rows(values, width).rowwise() -= mean;
+        }
+    };
+
     multiply(x, Ap, nSides);
     r = b - Ap;
-    if (singular)
-    {
-        removeMean(r, width);
-    }
-
+    removeMean(r);
     precondition(M, r, z, nSides);
-    if (singular)
-    {
-        removeMean(z, width);
-    }
+    removeMean(z);
     scalarField p(z);
     scalarField best(x);
-
-    scalarField rz(nSides);
-    scalarField rzOld(nSides);
-    scalarField pAp(nSides);
-    scalarField zAp(nSides);
-    scalarField alpha(nSides);
-    dots(r, z, nSides, blockSize_, rz);
+    blockRow rz(dots(r, z, width, blockSize_));
 
     label iteration = 0;
     label bestIteration = 0;
@@ -232,37 +284,22 @@ Foam::SPH::pairSystem::performance Foam::SPH::pairSystem::solve
     )
     {
         multiply(p, Ap, nSides);
-        dots(p, Ap, nSides, blockSize_, pAp);
 
-        forAll(alpha, s)
-        {
-            alpha[s] = pAp[s] > VSMALL ? rz[s]/pAp[s] : 0;
-        }
-        addScaled(alpha, p, x, nSides, blockSize_);
-        alpha.negate();
-        addScaled(alpha, Ap, r, nSides, blockSize_);
-        if (singular)
-        {
-            // Round-off that A does not see
-            removeMean(r, width);
-        }
-
+        const blockRow alpha(ratio(rz, dots(p, Ap, width, blockSize_)));
+        rows(x, width) += rows(p, width).rowwise()*alpha;
+        rows(r, width) -= rows(Ap, width).rowwise()*alpha;
+        removeMean(r);
         precondition(M, r, z, nSides);
-        if (singular)
-        {
-            removeMean(z, width);
-        }
+        removeMean(z);
 
         // Of the change of the residual, -alpha A p, instead of the residual:
         // flexible, for a preconditioner that is not linear
-        rzOld = rz;
-        dots(r, z, nSides, blockSize_, rz);
-        dots(Ap, z, nSides, blockSize_, zAp);
-        forAll(alpha, s)
-        {
-            alpha[s] = rzOld[s] > VSMALL ? alpha[s]*zAp[s]/rzOld[s] : 0;
-        }
-        scaleAndAdd(alpha, z, p, nSides, blockSize_);
+        const blockRow beta
+        (
+           -ratio(alpha*dots(Ap, z, width, blockSize_), rz)
+        );
+        rows(p, width) = rows(p, width).rowwise()*beta + rows(z, width);
+        rz = dots(r, z, width, blockSize_);
 
         residual = max(mag(r));
         if (residual < 0.9*bestResidual)
