@@ -9,7 +9,6 @@ License
 
 #include "particleCase.H"
 #include "contactBoundary.H"
-#include "hybridPolyMesh.H"
 #include "particleFiles.H"
 #include "particlePolyMesh.H"
 #include "solidParticles.H"
@@ -293,23 +292,15 @@ void Foam::SPH::particleCase::writeMesh
     {
         files.writeArray<labelIOList>("solidCells", zone.bodies().cells());
     }
-    autoPtr<polyMesh> meshPtr;
-    if (zone.everywhere())
+    particlePolyMesh mesh(zone, space, data);
+    files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
+    if (!zone.everywhere())
     {
-        particlePolyMesh mesh(zone.mesh(), space, data);
-        files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
-        meshPtr = mesh.makeMesh(*timePtr, newFolder);
-        writeArrays(files, data.points, data.V, data.spacing);
-    }
-    else
-    {
-        hybridPolyMesh mesh(zone, space, data);
-        files.writeArray<labelIOList>("boundaryFace", mesh.boundaryFace());
         files.writeArray<labelIOList>("cellMap", mesh.cellMap());
         files.writeArray<labelIOList>("faceMap", mesh.faceMap());
-        meshPtr = mesh.makeMesh(*timePtr, newFolder);
-        writeArrays(files, mesh.points(), mesh.V(), mesh.spacing());
     }
+    writeArrays(files, mesh.points(), mesh.V(), mesh.spacing());
+    const autoPtr<polyMesh> meshPtr(mesh.makeMesh(*timePtr, newFolder));
     particleFiles::checkWritten(meshPtr->write(), *meshPtr);
 
     if (solids.size())

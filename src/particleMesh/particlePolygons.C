@@ -87,13 +87,6 @@ void Foam::SPH::particlePolygons::addRectangle
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::SPH::particlePolygons::reserve(const label nFaces)
-{
-    faces_.reserve(faces_.size() + nFaces);
-    points_.reserve(points_.size() + (emptyEdges_.empty() ? 3 : 4)*nFaces);
-}
-
-
 void Foam::SPH::particlePolygons::add(const point& centre, const vector& area)
 {
     for (const vector& edge : emptyEdges_)

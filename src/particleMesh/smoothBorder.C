@@ -28,13 +28,9 @@ namespace SPH
     static const label maxSweeps = 20;
 
     //- Do two of the faces of a cell meet at an acute edge inside it
-    static bool acute
-    (
-        const polyMesh& mesh,
-        const label celli,
-        const labelUList& faces
-    )
+    static bool acute(const polyMesh& mesh, const label celli)
     {
+        const cell& faces = mesh.cells()[celli];
         const auto outward = [&](const label facei)
         {
             return
@@ -74,7 +70,6 @@ namespace SPH
         const label celli
     )
     {
-        DynamicList<label> border;
         scalar area = 0;
         scalar surface = 0;
 
@@ -102,11 +97,10 @@ namespace SPH
             )
             {
                 area += A;
-                border.append(facei);
             }
         }
 
-        return area > mostOfSurface*surface && acute(mesh, celli, mesh.cells()[celli]);
+        return area > mostOfSurface*surface && acute(mesh, celli);
     }
 }
 }
