@@ -297,7 +297,9 @@ void Foam::SPH::particleGenerator::generate()
 
     Info<< "    particles: " << particles.nParticles()
         << "  least spacing: " << min(spacing) << nl << nl
-        << "Relaxation, " << method_->type() << endl;
+        << "Relaxation, "
+        << relaxationMethod::typeOf(dict_.subOrEmptyDict("relaxation"))
+        << endl;
 
     monitor_.reset
     (

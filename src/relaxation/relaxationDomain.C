@@ -9,7 +9,7 @@ License
 
 #include "relaxationDomain.H"
 #include "periodicImages.H"
-#include "separateNoBooleanRelaxation.H"
+#include "relaxationMethod.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -104,7 +104,7 @@ Foam::SPH::relaxationDomain::relaxationDomain
     setBodies
     (
         relaxationMethod::typeOf(dict.subOrEmptyDict("relaxation"))
-     == separateNoBooleanRelaxation::typeName
+     == "separateNoBoolean"
     );
 }
 

@@ -23,6 +23,13 @@ namespace SPH
         separateRelaxation,
         dictionary
     );
+    addNamedToRunTimeSelectionTable
+    (
+        relaxationMethod,
+        separateRelaxation,
+        dictionary,
+        separateNoBoolean
+    );
 }
 }
 
