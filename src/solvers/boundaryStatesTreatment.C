@@ -19,6 +19,41 @@ License
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace SPH
+{
+    //- FatalError for coupled patches whose conditions are more than that of
+    //- the patch: pairs across them know none, such as the jump of a fan
+    template<class Type>
+    static void refuseJumps
+    (
+        const GeometricField<Type, fvPatchField, volMesh>& field
+    )
+    {
+        static const wordList plain({"cyclic", "processor", "processorCyclic"});
+
+        for (const fvPatchField<Type>& patchField : field.boundaryField())
+        {
+            if (patchField.coupled() && !plain.found(patchField.type()))
+            {
+                FatalErrorInFunction
+                    << "Patch " << patchField.patch().name() << " of field "
+                    << field.name() << " in " << field.objectPath()
+                    << " has the type " << patchField.type() << ", which this"
+                    << " solver does not support on cyclic patches. OpenFOAM's"
+                    << " own solvers run on the particles: start them with"
+                    << " -case sph" << nl << nl << "Valid choices:" << nl
+                    << wordList({"cyclic"}) << exit(FatalError);
+            }
+        }
+    }
+}
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
@@ -115,6 +150,12 @@ Foam::SPH::boundaryStates::choose
 
 void Foam::SPH::boundaryStates::classify(const bool viscous)
 {
+    refuseJumps(U_);
+    for (const scalarVariable& s : scalars_)
+    {
+        refuseJumps(s.field);
+    }
+
     DynamicList<label> evaluated;
 
     patchTreatment_.setSize(particles_.boundary().size(), open);
