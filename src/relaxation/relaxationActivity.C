@@ -38,7 +38,6 @@ void Foam::SPH::relaxation::collectTargets()
 void Foam::SPH::relaxation::markMovers()
 {
     const label nParticles = particles_.nParticles();
-    const label nBodies = particles_.nBodies();
     marked_.setSize(nParticles);
     marked_ = 0;
 
@@ -52,18 +51,8 @@ void Foam::SPH::relaxation::markMovers()
         }
     };
 
-    for (label bodyi = 0; bodyi < nBodies; ++bodyi)
+    for (const DynamicList<label>& targets : targets_)
     {
-        // Rows hold those that the mover sees; others may see the mover
-        bool seenByOthers = false;
-        for (label b = 0; b < nBodies; ++b)
-        {
-            seenByOthers =
-                seenByOthers || (b != bodyi && method_.sees(b, bodyi));
-        }
-
-        const DynamicList<label>& targets = targets_[bodyi];
-
         #pragma omp parallel for schedule(dynamic, 256) \
             if (targets.size() > 2048)
         for (label t = 0; t < targets.size(); ++t)
@@ -78,22 +67,6 @@ void Foam::SPH::relaxation::markMovers()
             for (const label* s = list_.begin(i); s < list_.end(i); ++s)
             {
                 mark(*s);
-            }
-            if (seenByOthers)
-            {
-                list_.forNear
-                (
-                    i,
-                    domain_.support(0, particles_.spacing[i]) + list_.skin(i),
-                    [&](const label j)
-                    {
-                        const label role = particles_.role[j];
-                        if (role < nBodies && method_.sees(role, bodyi))
-                        {
-                            mark(j);
-                        }
-                    }
-                );
             }
         }
     }
