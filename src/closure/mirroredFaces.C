@@ -33,13 +33,11 @@ namespace SPH
     //- Least distance of a particle to its boundary face over the spacing
     static const scalar smallestDistance = 0.05;
 
-    //- A particle, its weight at an element, and its height above the
-    //- element's plane over its spacing
+    //- A particle and its weight at an element
     struct share
     {
         label particle;
         scalar weight;
-        scalar height;
     };
 
     typedef std::vector<share> shareList;
@@ -63,26 +61,14 @@ namespace SPH
         return min(max(part, scalar(0)), scalar(1));
     }
 
-    //- Does a particle belong to the first layer, 0 to 1, by its height above
-    //- that of the lowest one in spacings. A particle behind the first layer
-    //- would lend the wall a value from a spacing and a half away
-    static scalar inFirstLayer(const scalar height)
-    {
-        constexpr scalar all = 0.3;
-        constexpr scalar none = 0.7;
-        return min(max((none - height)/(none - all), scalar(0)), scalar(1));
-    }
-
-    //- Keep the shares of the first layer, sharpened towards the nearest
-    //- particle: the nearer the centre of a face is to the foot of its
-    //- particle, the less does a value differ between both
+    //- Keep the large shares, sharpened towards the nearest particle: the nearer
+    //- the centre of a face is to the foot of its particle, the less does a
+    //- value differ between both
     static void sharpen(const boolList& sites, shareList& shares)
     {
-        scalar lowest = GREAT;
         bool lattice = true;
         for (const share& s : shares)
         {
-            lowest = min(lowest, s.height);
             lattice = lattice && sites[s.particle];
         }
 
@@ -92,7 +78,7 @@ namespace SPH
         scalar largest = 0;
         for (share& s : shares)
         {
-            s.weight = pow4(s.weight*inFirstLayer(s.height - lowest));
+            s.weight = pow4(s.weight);
             largest = max(largest, s.weight);
         }
         shares.erase
@@ -195,19 +181,14 @@ namespace SPH
             for (const label e : near)
             {
                 const vector r(centres[e] - points[i]);
-                const scalar height = heightAt(r, e);
-                const scalar front = facing(height, max(nearest, VSMALL));
+                const scalar front =
+                    facing(heightAt(r, e), max(nearest, VSMALL));
 
                 if (front > 0 && magSqr(r) < radius*radius)
                 {
                     // A positive shape, whatever the kernel is
                     const scalar q = WendlandC2Shape::cutOff*mag(r)/radius;
-                    shares[e].push_back
-                    ({
-                        i,
-                        front*WendlandC2Shape::w(q),
-                        height/data.spacing[i]
-                    });
+                    shares[e].push_back({i, front*WendlandC2Shape::w(q)});
                 }
             }
         }
@@ -373,7 +354,7 @@ Foam::SPH::boundaryFaces Foam::SPH::mirroredFaces
             const vector centre(space.toLocal(elements[e].centre));
             shares[e].push_back
             ({
-                particles.nearest(points, centre, finest), 1, 0
+                particles.nearest(points, centre, finest), 1
             });
         }
     }
