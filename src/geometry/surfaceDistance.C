@@ -14,9 +14,6 @@ License
 
 namespace
 {
-    //- Sign of a pseudo-normal is not trusted below this cosine
-    constexpr Foam::scalar minCosine = 1e-6;
-
     //- Distance over element size below which p counts as on the surface
     constexpr Foam::scalar onSurface = 1e-10;
 }
@@ -204,11 +201,10 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
     else
     {
         const scalar r = mag(d);
-        const scalar cosine = d & normal;
         const FixedList<label, 3>& v = elements_[elementi];
 
-        const bool inside =
-            mag(cosine) > minCosine*r ? cosine < 0 : r > 0 && enclosed(x);
+        const bool known = magSqr(normal) > 0.5;
+        const bool inside = known ? (d & normal) < 0 : r > 0 && enclosed(x);
 
         result.distance = inside ? -r : r;
 
@@ -216,7 +212,7 @@ Foam::SPH::signedDistance::nearest Foam::SPH::surfaceDistance::findLocal
         {
             normal = d/result.distance;
         }
-        else if (magSqr(normal) < 0.5)
+        else if (!known)
         {
             normal = normals_[elementi];
         }
