@@ -501,6 +501,14 @@ TEST(ConvergenceMonitor, saysWhatIsLeftAtMost)
     state.kineticEnergy = 2e-3;
     monitor.add(state);
     EXPECT_TRUE(monitor.converged());
+
+    // The energy does not matter where it was low from the start
+    state.kineticEnergy = 1;
+    monitor.add(state);
+    EXPECT_FALSE(monitor.converged());
+    state.relativeResidual = 0.09;
+    monitor.add(state);
+    EXPECT_TRUE(monitor.converged());
 }
 
 

@@ -113,6 +113,45 @@ void checkPolygon(const orientedSurface& surface, const label n)
 
 // * * * * * * * * * * * * * * * * Two dimensions  * * * * * * * * * * * * * //
 
+TEST(SurfaceDistance, imagesOfVerticesThatTouchHaveTheirSign)
+{
+    // Two holes in a channel of unit period that touch in a vertex, both above
+    // it: below, nothing is nearer
+    const orientedSurface channel
+    (
+        polygon
+        ({
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+            reversed({{0.5, 0.5, 0}, {0.45, 0.7, 0}, {0.4, 0.7, 0}}),
+            reversed({{0.5, 0.5, 0}, {0.6, 0.7, 0}, {0.55, 0.7, 0}})
+        })
+    );
+    List<orientedSurface::element> elements(channel.elements());
+    for (orientedSurface::element& e : elements)
+    {
+        const scalar x = channel.points()[e.vertices[0]].x();
+        e.coupled = channel.points()[e.vertices[1]].x() == x && x*(1 - x) == 0;
+    }
+    const surfaceDistance distance
+    (
+        orientedSurface
+        (
+            channel.space(),
+            pointField(channel.points()),
+            std::move(elements),
+            {vector(1, 0, 0)}
+        ),
+        1
+    );
+
+    for (const scalar period : {-1, 0, 1})
+    {
+        const point below(0.5 + period, 0.499, 0);
+        EXPECT_NEAR(distance.distance(below), -1e-3, 1e-12) << period;
+    }
+}
+
+
 TEST(SurfaceDistance, circleIsItsRadius)
 {
     const label n = 2000;
