@@ -61,9 +61,9 @@ namespace SPH
         return min(max(part, scalar(0)), scalar(1));
     }
 
-    //- Keep the large shares, sharpened towards the nearest particle: the nearer
-    //- the centre of a face is to the foot of its particle, the less does a
-    //- value differ between both
+    //- Keep the large shares, sharpened towards the nearest particle: the
+    //- nearer the centre of a face is to the foot of its particle, the less
+    //- does a value differ between both
     static void sharpen(const boolList& sites, shareList& shares)
     {
         bool lattice = true;
