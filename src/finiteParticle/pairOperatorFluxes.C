@@ -344,9 +344,16 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
 
             if constexpr (Limiter::linear)
             {
-                // A contact pair does not end at the wall: its gradient is
-                // the difference of two particles
-                if (wall && quadraticWall_ && !faces_.contact(facei))
+                // A condition that gives the gradient has this difference
+                // for it. A contact pair does not end at the wall: its gradient
+                // is the difference of two particles
+                if
+                (
+                    wall
+                 && quadraticWall_
+                 && faces_.givesValue(v, facei)
+                 && !faces_.contact(facei)
+                )
                 {
                     normalGradient[v] =
                         2*normalGradient[v] - increment(v, i, n);

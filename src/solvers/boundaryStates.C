@@ -103,8 +103,12 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
     const labelUList face(patch.face());
     const fvPatchVectorField& Up = U_.boundaryField()[patchi];
 
+    // Walls that give part of a value give a gradient with it
+    const bool reflecting = reflects(patchTreatment_[patchi]);
+    const scalar least = reflecting ? 1 - SMALL : 0.5;
+
     // What flows out has the velocity of the flow
-    const bool velocity = givesVelocity(Up);
+    const bool velocity = reflecting || givesVelocity(Up);
     const auto* mixedU = isA<mixedFvPatchVectorField>(Up);
     for (label d = 0; d < loopDims(particles_); ++d)
     {
@@ -113,8 +117,8 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
             const label facei = face[k];
             given_[1 + d][patch.start() + k] =
                 mixedU
-              ? mixedU->valueFraction()[facei] > 0.5
-             && (Up[facei] & Up.patch().Sf()[facei]) <= 0
+              ? mixedU->valueFraction()[facei] > least
+             && (reflecting || (Up[facei] & Up.patch().Sf()[facei]) <= 0)
               : velocity;
         }
     }
@@ -132,7 +136,7 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
         forAll(face, k)
         {
             given_[s.variable][patch.start() + k] =
-                mixed ? mixed->valueFraction()[face[k]] > 0.5 : fixes;
+                mixed ? mixed->valueFraction()[face[k]] > least : fixes;
         }
     }
 }
@@ -294,6 +298,7 @@ void Foam::SPH::boundaryStates::correct
         fvPatchVectorField& Up = U_.boundaryFieldRef()[patchi];
         Up.evaluate();
         keepDirection(Up);
+        checkWall(patchi);
         for (const scalarVariable& s : scalars_)
         {
             fvPatchScalarField& sp = s.field.boundaryFieldRef()[patchi];

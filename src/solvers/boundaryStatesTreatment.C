@@ -10,8 +10,10 @@ License
 #include "boundaryStates.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "fixedGradientFvPatchFields.H"
 #include "fixedNormalSlipFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
+#include "inletOutletFvPatchFields.H"
 #include "noSlipFvPatchVectorField.H"
 #include "slipFvPatchFields.H"
 #include "totalPressureFvPatchScalarField.H"
@@ -90,9 +92,54 @@ template bool Foam::SPH::boundaryStates::isOwn(const fvPatchVectorField&);
 
 bool Foam::SPH::boundaryStates::crosses(const fvPatchVectorField& Up)
 {
+    if (isGiven(Up))
+    {
+        return gMax(mag(Up & Up.patch().nf())()) > 1e-6*gMax(mag(Up)());
+    }
+
+    // What turns or moves a wall crosses its facets, to and fro
+    constexpr scalar facets = 0.01;
     return
-        isGiven(Up)
-     && gMax(mag(Up & Up.patch().nf())()) > 1e-6*gMax(mag(Up)());
+        !Up.type().ends_with("WallVelocity")
+     && mag(gSum((Up & Up.patch().Sf())()))
+      > facets*gSum((mag(Up)*Up.patch().magSf())());
+}
+
+
+bool Foam::SPH::boundaryStates::isWall(const fvPatchVectorField& Up)
+{
+    // A wall patch that the flow may cross is no wall: FVM takes its flux from
+    // the velocity there
+    return
+        isA<noSlipFvPatchVectorField>(Up)
+     || (
+            isA<wallFvPatch>(Up.patch())
+         && !isA<zeroGradientFvPatchVectorField>(Up)
+         && !isA<fixedGradientFvPatchVectorField>(Up)
+         && !isA<inletOutletFvPatchVectorField>(Up)
+         && !Up.type().starts_with("pressure")
+         && !crosses(Up)
+        );
+}
+
+
+void Foam::SPH::boundaryStates::checkWall(const label patchi) const
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+    if
+    (
+        reflects(patchTreatment_[patchi])
+     && isA<fixedValueFvPatchVectorField>(Up)
+     && crosses(Up)
+    )
+    {
+        FatalErrorInFunction
+            << "Patch " << Up.patch().name() << " is a wall, but from time "
+            << U_.time().value() << " s on " << U_.name() << ", of type "
+            << Up.type() << ", points through it. Make it a patch of type patch"
+            << " in constant/polyMesh/boundary of the FVM case, and run"
+            << " sphMesh" << exit(FatalError);
+    }
 }
 
 
@@ -133,13 +180,7 @@ Foam::SPH::boundaryStates::choose
         return slip;
     }
 
-    // A wall patch through which a given velocity points is no wall: FVM takes
-    // its flux from that velocity
-    if
-    (
-        isA<noSlipFvPatchVectorField>(Up)
-     || (isA<wallFvPatch>(Up.patch()) && !crosses(Up))
-    )
+    if (isWall(Up))
     {
         return viscous ? noSlip : slip;
     }
@@ -194,7 +235,8 @@ void Foam::SPH::boundaryStates::classify(const bool viscous)
          && !(patch.size() && contact(patch.start()));
 
         bool evaluate =
-            type != slip && mayChange(Up);
+            (type != slip || isA<fixedValueFvPatchVectorField>(Up))
+         && mayChange(Up);
 
         for (const scalarVariable& s : scalars_)
         {
