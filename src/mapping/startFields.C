@@ -133,6 +133,68 @@ void Foam::SPH::startFields::markJumps(const volScalarField& field)
 }
 
 
+void Foam::SPH::startFields::writeZones() const
+{
+    const fvMesh& particles = particles_.mesh();
+    cellZoneMesh zones
+    (
+        IOobject
+        (
+            "cellZones",
+            particles.facesInstance(),
+            polyMesh::meshSubDir,
+            particles,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        particles
+    );
+
+    const auto add = [&](const word& name, const labelUList& cells)
+    {
+        zones.append(new cellZone(name, cells, zones.size(), zones));
+    };
+
+    // Those of a zone of particles, or that a user has added
+    const bool hybrid = particles_.cellMap().size();
+    const wordList names(mesh_.cellZones().names());
+    const wordList own({"fvm", "sph"});
+    for (const cellZone& zone : particles.cellZones())
+    {
+        if (!names.found(zone.name()) || (hybrid && own.found(zone.name())))
+        {
+            add(zone.name(), zone);
+        }
+    }
+
+    for (const cellZone& zone : mesh_.cellZones())
+    {
+        if (hybrid && own.found(zone.name()))
+        {
+            continue;
+        }
+        boolList inside(mesh_.nCells(), false);
+        UIndirectList<bool>(inside, zone) = true;
+
+        DynamicList<label> cells;
+        forAll(cells_, i)
+        {
+            if (inside[cells_[i]])
+            {
+                cells.append(i);
+            }
+        }
+        add(zone.name(), cells);
+    }
+
+    if (names.size())
+    {
+        zones.write();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::startFields::startFields(const fvMesh& mesh, particleCase& sph)
@@ -181,6 +243,7 @@ void Foam::SPH::startFields::write()
             << ": the particle case has none" << endl;
     }
 
+    writeZones();
     mapType<scalar>();
     mapType<vector>();
     mapType<sphericalTensor>();
