@@ -44,6 +44,25 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
 
 
 template<class Flux, class Limiter, bool Viscous>
+inline typename Flux::vars
+Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stateAhead
+(
+    const label i
+) const
+{
+    vars state(load(W_, i));
+    if constexpr (predictable)
+    {
+        for (int v = 0; v < nVars; ++v)
+        {
+            state[v] += change_[v][i];
+        }
+    }
+    return state;
+}
+
+
+template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::padHalo()
 {
     for (label i = Q_.size(); i < W_.size(); ++i)
@@ -165,7 +184,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addForces()
         {
             force[d] = force_[d][i];
         }
-        const vars rate(flux_.forced(load(W_, i), force));
+        const vars rate(flux_.forced(stateAhead(i), force));
         for (int v = 0; v < nVars; ++v)
         {
             R_[v][i] += rate[v];
@@ -197,6 +216,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairOperator
     limitByParticle_(limitByParticle),
     quadraticWall_(quadraticWall),
     G_(0, 0),
+    change_(0, 0),
     gradientWeights_(Limiter::linear ? new gradientWeights(faces) : nullptr),
     fluxes_(0, 0)
 {}
@@ -301,7 +321,6 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
 )
 {
     const label nSlices = pairs_.nSlices();
-    const bool predicts = Limiter::linear && ahead > 0;
     const bool twoExchanges = Limiter::linear || sleeping_.anywhere();
 
     if (fluxes_.empty())
@@ -310,24 +329,38 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
         {
             G_ = slicedField(nVars*nDims, haloExchange::nSlices(particles_));
         }
+        if (predictable)
+        {
+            change_ = slicedField(nVars, haloExchange::nSlices(particles_));
+        }
         fluxes_ = rowField(nVars, pairs_.nRows());
     }
+
+    // Changes of the last evaluation do not stay
+    const bool predicts = predictable && (ahead > 0 || ahead_ > 0);
+    ahead_ = ahead;
 
     halo_.start(W_.components());
     if (twoExchanges)
     {
         setGradients();
     }
-    if (predicts)
+    if constexpr (predictable)
     {
-        predict(0, nSlices, ahead);
+        if (predicts)
+        {
+            predict(0, nSlices);
+        }
     }
     setFluxes(pairs_.innerSlices());
     halo_.finish(twoExchanges ? gradientsSent() : W_.components());
     sleeping_.updateHalo();
-    if (predicts)
+    if constexpr (predictable)
     {
-        predict(nSlices, haloExchange::nSlices(particles_), ahead);
+        if (predicts)
+        {
+            predict(nSlices, haloExchange::nSlices(particles_));
+        }
     }
     setFluxes(pairs_.outerSlices());
     setFluxes(pairs_.haloSlices());

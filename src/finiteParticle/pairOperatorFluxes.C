@@ -26,10 +26,15 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     scalar* fluxes = fluxes_.data();
 
     const scalar* W[nVars];
+    const scalar* change[nVars];
     const scalar* G[nVars*nDims];
     for (int v = 0; v < nVars; ++v)
     {
         W[v] = W_[v];
+        if constexpr (predictable)
+        {
+            change[v] = change_[v];
+        }
         for (int d = 0; d < nDims && Limiter::linear; ++d)
         {
             G[v*nDims + d] = G_[v*nDims + d];
@@ -93,6 +98,15 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
                 }
             }
             flux.template limitedStates<Limiter>(I, J, stepI, stepJ, L, R);
+
+            if constexpr (predictable)
+            {
+                for (int v = 0; v < nVars; ++v)
+                {
+                    L[v] += change[v][i];
+                    R[v] += change[v][j];
+                }
+            }
 
             if constexpr (Flux::damped)
             {
@@ -244,7 +258,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
     const label facei
 ) const
 {
-    const vars I(load(W_, i));
+    const vars I(stateAhead(i));
 
     if constexpr (Limiter::linear)
     {

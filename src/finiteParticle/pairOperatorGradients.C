@@ -307,8 +307,7 @@ template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
 (
     const label begin,
-    const label end,
-    const scalar ahead
+    const label end
 )
 {
     const Flux flux(flux_);
@@ -327,12 +326,11 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
                 return G_[v*nDims + d][i];
             };
 
-            const vars W(load(W_, i));
-            const vars step(flux.step(W, g, ahead));
+            const vars step(flux.step(load(W_, i), g, ahead_));
             const bool still = anyAsleep && sleepingSlices::still(codes[i], 1);
             for (int v = 0; v < nVars; ++v)
             {
-                W_[v][i] = still ? W[v] : W[v] + step[v];
+                change_[v][i] = still ? 0 : step[v];
             }
         }
     }
