@@ -1021,6 +1021,32 @@ TEST(ConservationLaw, DampsNoiseInAGasAtRest)
 }
 
 
+TEST(ConservationLaw, StatesAheadLeaveNothingBehind)
+{
+    const auto rates = [](const scalarList& times)
+    {
+        givenStates faces(particles(), 4);
+        faces.setTreatment(faceStates::slip);
+        autoPtr<conservationLaw> law(makeLaw(air, "HLLC", "vanLeer", faces));
+        law->setPrimitive(disturbed({300, 300, 300, 1e5}));
+        const scalarField before(law->primitive(3));
+
+        law->store();
+        for (const scalar ahead : times)
+        {
+            law->evaluate(ahead);
+            EXPECT_EQ(scalarField(law->primitive(3)), before);
+        }
+        EXPECT_TRUE(law->update(0, 1e-6, 0, 4));
+        return scalarField(law->conserved(3));
+    };
+
+    const scalarField present(rates({0}));
+    EXPECT_NE(rates({1e-5}), present);
+    EXPECT_EQ(rates({1e-5, 0}), present);
+}
+
+
 TEST(ConservationLaw, RejectsStatesThatAreNotPhysical)
 {
     givenStates faces(particles(), 4);
