@@ -298,12 +298,15 @@ void Foam::SPH::weaklyCompressibleFlow::setAbsorption()
 {
     // What follows slowly has inertia, as if the domain were longer, which
     // keeps pressures from driving the flow, 12 % in a channel started so, and
-    // lags behind velocities that change
+    // lags behind velocities that change: pressures are off by what
+    // accelerates the domain
     constexpr scalar largestLag = 0.1;
 
     const scalar passage = longestSide()/fluid_.c;
     const bool absorbs =
-        drive_.through() > 0 && passage*drive_.frequency() < largestLag;
+        drive_.through() > 0
+     && passage*drive_.frequency() < largestLag
+     && longestSide()*drive_.acceleration() < largestLag*sqr(drive_.through());
 
     const scalar tau = schemes_.getCheckOrDefault<scalar>
     (
