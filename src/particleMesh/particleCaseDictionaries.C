@@ -218,7 +218,7 @@ std::string Foam::SPH::particleCase::schemeAdditions() const
     if (!convection.empty())
     {
         additions +=
-            "// Linear, but exact at faces' centres, by the flux of the new time\n"
+            "// Exact at the faces' centres, by the flux of the new time\n"
             "divSchemes\n{\n" + convection + "}\n";
     }
 

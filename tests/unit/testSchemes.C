@@ -20,6 +20,7 @@ License
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 
 using namespace Foam;
 using namespace Foam::SPH;
@@ -331,8 +332,8 @@ TEST(SchemesCase, reconstructedRefusesItsOwnGradient)
 // * * * * * * * * * * * * * * * Convection  * * * * * * * * * * * * * * * * //
 
 //- Largest difference of the coefficients of GaussAhead from those of Gauss
-//- by the flux at time 1 + nSteps*.5, before a step and after the flux has
-//- been updated in it; the flux grows linearly in time
+//- by the flux of the new time, before and after the flux is updated to it;
+//- the flux grows linearly in time
 std::pair<scalar, scalar> aheadErrors
 (
     const dimensionSet& dims,
