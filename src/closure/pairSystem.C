@@ -64,7 +64,6 @@ namespace SPH
 }
 
 
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::SPH::pairSystem::pairSystem

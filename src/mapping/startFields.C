@@ -135,6 +135,12 @@ void Foam::SPH::startFields::markJumps(const volScalarField& field)
 
 void Foam::SPH::startFields::writeZones() const
 {
+    const wordList names(mesh_.cellZones().names());
+    if (names.empty())
+    {
+        return;
+    }
+
     const fvMesh& particles = particles_.mesh();
     cellZoneMesh zones
     (
@@ -158,7 +164,6 @@ void Foam::SPH::startFields::writeZones() const
 
     // Those of a zone of particles, or that a user has added
     const bool hybrid = particles_.cellMap().size();
-    const wordList names(mesh_.cellZones().names());
     const wordList own({"fvm", "sph"});
     for (const cellZone& zone : particles.cellZones())
     {
@@ -188,10 +193,7 @@ void Foam::SPH::startFields::writeZones() const
         add(zone.name(), cells);
     }
 
-    if (names.size())
-    {
-        zones.write();
-    }
+    zones.write();
 }
 
 

@@ -9,6 +9,7 @@ License
 
 #include "gaussAhead.H"
 #include "fvMatrices.H"
+#include "lastStep.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -24,11 +25,7 @@ bool Foam::SPH::gaussAhead<Type>::lags
     return
         vf.nOldTimes() > 1
      && flux.dimensions() == dimVelocity*dimArea
-     && returnReduce
-        (
-            flux.primitiveField() == flux.oldTime().primitiveField(),
-            andOp<bool>()
-        );
+     && isOfLastStep(flux);
 }
 
 
@@ -46,11 +43,10 @@ Foam::tmp<Foam::fvMatrix<Type>> Foam::SPH::gaussAhead<Type>::fvmDiv
         return fv::gaussConvectionScheme<Type>::fvmDiv(flux, vf);
     }
 
-    const Time& time = this->mesh().time();
     const surfaceScalarField ahead
     (
         flux
-      + time.deltaTValue()/time.deltaT0Value()
+      + stepRatio(this->mesh().time())
        *(flux.oldTime() - flux.oldTime().oldTime())
     );
     return fv::gaussConvectionScheme<Type>::fvmDiv(ahead, vf);

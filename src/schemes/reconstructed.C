@@ -10,6 +10,7 @@ License
 #include "reconstructed.H"
 #include "fvcSurfaceIntegrate.H"
 #include "gradScheme.H"
+#include "lastStep.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -27,11 +28,7 @@ bool Foam::SPH::reconstructed<Type>::isAhead(const cellField& vf) const
             flux_->dimensions() == dimVelocity*dimArea
          || this->mesh().template foundObject<volScalarField>("rho")
         )
-     && returnReduce
-        (
-            vf.primitiveField() == vf.oldTime().primitiveField(),
-            andOp<bool>()
-        );
+     && isOfLastStep(vf);
 }
 
 
@@ -39,8 +36,7 @@ template<class Type>
 Foam::tmp<typename Foam::SPH::reconstructed<Type>::cellField>
 Foam::SPH::reconstructed<Type>::ahead(const cellField& vf) const
 {
-    const Time& time = this->mesh().time();
-    const scalar ratio = time.deltaTValue()/time.deltaT0Value();
+    const scalar ratio = stepRatio(this->mesh().time());
     const cellField& old = vf.oldTime();
     const cellField& older = old.oldTime();
 
