@@ -129,12 +129,15 @@ Foam::SPH::conservationLaw::conservationLaw
     Qp_(nVariables, 0),
     R0_(nVariables, 0),
     W_(nVariables, haloExchange::nSlices(particles_)),
+    present_(0, 0),
     R_(nVariables, pairs_.nSlices()),
     force_(0, 0),
     sleeping_
     (
         faces, pairs_, schemes.getOrDefault<Switch>("sleeping", true)
     ),
+    levels_(particles_, pairs_, halo_),
+    rate_(1, pairs_.nSlices()),
     nFallbacks_(0),
     nReduced_(0),
     failed_(particles_.nParticles(), false),

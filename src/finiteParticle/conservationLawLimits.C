@@ -64,6 +64,8 @@ void Foam::SPH::conservationLaw::setSliceRates
         sliceRates_[k][slice] = largest;
     }
 
+    std::copy_n(acoustic, nLanes, rate_[0] + slice*nLanes);
+
     sliceSums_[slice] = 0;
     for (label lane = 0; lane < nLanes; ++lane)
     {
@@ -108,6 +110,21 @@ void Foam::SPH::conservationLaw::reduceState()
     nFallbacks_ = 0;
     sleeping_.setAnywhere(sums[3] > 0.5);
     limitsCurrent_ = true;
+
+    if (levels_.allowed())
+    {
+        levels_.set(rate_[0], limits_[0].rate, sleeping_);
+    }
+}
+
+
+Foam::SPH::stepLevels& Foam::SPH::conservationLaw::levels()
+{
+    if (levels_.allowed() && !limitsCurrent_)
+    {
+        reduceState();
+    }
+    return levels_;
 }
 
 

@@ -112,9 +112,37 @@ class Hancock
 :
     public timeScheme
 {
+    //- Longest step of the particles that need the shortest [s]
+    scalar shortest_ = GREAT;
+
 public:
 
     TypeName("Hancock");
+
+    virtual bool hasLevels(const conservationLaw& law, const scalar) const
+    {
+        return law.mayTakeParts();
+    }
+
+    virtual scalar stableDeltaT
+    (
+        conservationLaw& law,
+        const scalar maxCo
+    )
+    {
+        shortest_ = timeScheme::stableDeltaT(law, maxCo);
+        return law.levels().nParts()*shortest_;
+    }
+
+    virtual label nParts(conservationLaw& law, const scalar dt) const
+    {
+        label n = 1;
+        while (n < law.levels().nParts() && dt > (1 + 1e-9)*n*shortest_)
+        {
+            n *= 2;
+        }
+        return n;
+    }
 
     virtual scalar defaultCo(const conservationLaw& law) const
     {
@@ -142,8 +170,29 @@ public:
         const scalar timeLeft
     ) const
     {
-        evaluate(law, faces, timeLeft + 0.5*dt, 0.5*dt);
-        law.update(0, dt, 0, law.nVariables());
+        const label n = nParts(law, dt);
+        if (n == 1)
+        {
+            evaluate(law, faces, timeLeft + 0.5*dt, 0.5*dt);
+            law.update(0, dt, 0, law.nVariables());
+            return;
+        }
+
+        stepLevels& levels = law.levels();
+        levels.start(n);
+        for (label part = 0; part < n; ++part)
+        {
+            levels.begin(part, dt);
+            for (label level = 0; level <= levels.beginning(); ++level)
+            {
+                const scalar step = dt/n*(1 << level);
+                const scalar left = timeLeft + dt - dt/n*part - 0.5*step;
+                faces.correct(law.W(), left, levels.step(), step);
+            }
+            law.evaluate(0);
+            law.update(0, 1, 0, law.nVariables());
+        }
+        levels.stop();
     }
 };
 
@@ -160,7 +209,7 @@ class automatic
 {
     static constexpr label leastStages = 5;
 
-    const Hancock oneStage_;
+    Hancock oneStage_;
 
     //- Was the step found for one stage
     bool seesAhead_ = false;
@@ -239,6 +288,20 @@ public:
           : SSPRK3::defaultCo(law);
     }
 
+    virtual bool hasLevels
+    (
+        const conservationLaw& law,
+        const scalar maxCo
+    ) const
+    {
+        return law.mayTakeParts() && maxCo <= oneStage_.defaultCo(law);
+    }
+
+    virtual label nParts(conservationLaw& law, const scalar dt) const
+    {
+        return seesAhead_ ? oneStage_.nParts(law, dt) : 1;
+    }
+
     virtual scalar stableDeltaT
     (
         conservationLaw& law,
@@ -248,7 +311,7 @@ public:
         seesAhead_ = law.maySeeAhead() && maxCo <= oneStage_.defaultCo(law);
         if (seesAhead_)
         {
-            return 1/law.stableRate(maxCo, GREAT);
+            return oneStage_.stableDeltaT(law, maxCo);
         }
 
         shortStep_ = SSPRK3::stableDeltaT(law, maxCo);

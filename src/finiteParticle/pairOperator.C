@@ -12,73 +12,12 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
-inline typename Flux::vars
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::load
-(
-    const slicedField& field,
-    const label i
-)
-{
-    vars values;
-    for (int v = 0; v < nVars; ++v)
-    {
-        values[v] = field[v][i];
-    }
-    return values;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::save
-(
-    const vars& values,
-    slicedField& field,
-    const label i
-)
-{
-    for (int v = 0; v < nVars; ++v)
-    {
-        field[v][i] = values[v];
-    }
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline typename Flux::vars
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::stateAhead
-(
-    const label i
-) const
-{
-    vars state(load(W_, i));
-    if constexpr (predictable)
-    {
-        for (int v = 0; v < nVars; ++v)
-        {
-            state[v] += change_[v][i];
-        }
-    }
-    return state;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::padHalo()
-{
-    for (label i = Q_.size(); i < W_.size(); ++i)
-    {
-        save(load(W_, 0), W_, i);
-    }
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
 {
     sleeping_.update();
-    setGradients(pairs_.innerSlices());
-    halo_.finish(W_.components());
-    setGradients(pairs_.outerSlices());
+    setGradients(levels_.beginning(pairs_.innerSlices()));
+    halo_.finish(present().components());
+    setGradients(levels_.beginning(pairs_.outerSlices()));
 
     if constexpr (Limiter::linear)
     {
@@ -93,7 +32,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setGradients()
             #pragma omp parallel for
             for (label slice = 0; slice < pairs_.nSlices(); ++slice)
             {
-                if (!sleeping_.isUniform(slice))
+                if (!sleeping_.isUniform(slice) && levels_.anyBegins(slice))
                 {
                     limitGradients(slice);
                 }
@@ -160,13 +99,23 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setFluxes
     const labelUList& slices = sleeping_.fluxes(all, R_);
     label nFallbacks = 0;
 
+    const auto fluxes = [&](const label slice, auto parts)
+    {
+        constexpr bool Parts = decltype(parts)::value;
+        const scalar step = duration(slice*nLanes);
+        return
+            sleeping_.mayBeStill(slice)
+          ? pairFluxes<true, Parts>(slice, step)
+          : pairFluxes<false, Parts>(slice, step);
+    };
+
     #pragma omp parallel for reduction(+:nFallbacks)
     for (label k = 0; k < slices.size(); ++k)
     {
         nFallbacks +=
-            sleeping_.mayBeStill(slices[k])
-          ? pairFluxes<true>(slices[k])
-          : pairFluxes<false>(slices[k]);
+            predictable && levels_.mixed(slices[k])
+          ? fluxes(slices[k], std::bool_constant<predictable>())
+          : fluxes(slices[k], std::false_type());
     }
 
     nFallbacks_ += nFallbacks;
@@ -182,7 +131,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addForces()
         vec force;
         for (int d = 0; d < nDims; ++d)
         {
-            force[d] = force_[d][i];
+            force[d] = duration(i)*force_[d][i];
         }
         const vars rate(flux_.forced(stateAhead(i), force));
         for (int v = 0; v < nVars; ++v)
@@ -238,83 +187,6 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::info(Ostream& os) const
 
 
 template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setPrimitive
-(
-    const UList<scalarField>& W
-)
-{
-    for (label i = 0; i < Q_.size(); ++i)
-    {
-        vars values;
-        for (int v = 0; v < nVars; ++v)
-        {
-            values[v] = W[v][min(i, W[v].size() - 1)];
-        }
-        save(values, W_, i);
-        save(flux_.conserved(values), Q_, i);
-    }
-    padHalo();
-    slicesCurrent_ = false;
-    limitsCurrent_ = false;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setConserved
-(
-    const UList<scalarField>& Q
-)
-{
-    for (label i = 0; i < Q_.size(); ++i)
-    {
-        vars values;
-        for (int v = 0; v < nVars; ++v)
-        {
-            values[v] = Q[v][min(i, Q[v].size() - 1)];
-        }
-        save(values, Q_, i);
-        save(flux_.primitive(values), W_, i);
-    }
-    padHalo();
-    slicesCurrent_ = false;
-    limitsCurrent_ = false;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setVelocity
-(
-    const vectorField& U
-)
-{
-    forAll(U, i)
-    {
-        vars values(load(W_, i));
-        for (int d = 0; d < nDims; ++d)
-        {
-            values[1 + d] = U[i][particles_.space().axis(d)];
-        }
-        save(values, W_, i);
-        save(flux_.conserved(values), Q_, i);
-    }
-    slicesCurrent_ = false;
-    limitsCurrent_ = false;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::restore()
-{
-    Q_ = Q0_;
-    for (label i = 0; i < Q_.size(); ++i)
-    {
-        save(flux_.primitive(load(Q_, i)), W_, i);
-    }
-    limitsCurrent_ = false;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
 (
     const scalar ahead
@@ -337,10 +209,15 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
     }
 
     // Changes of the last evaluation do not stay
-    const bool predicts = predictable && (ahead > 0 || ahead_ > 0);
+    const bool predicts =
+        predictable && (levels_.on() || ahead > 0 || ahead_ > 0);
     ahead_ = ahead;
 
-    halo_.start(W_.components());
+    if (levels_.on())
+    {
+        setPresent();
+    }
+    halo_.start(present().components());
     if (twoExchanges)
     {
         setGradients();
@@ -349,28 +226,36 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
     {
         if (predicts)
         {
-            predict(0, nSlices);
+            predict(levels_.beginning(pairs_.innerSlices()));
+            predict(levels_.beginning(pairs_.outerSlices()));
         }
     }
-    setFluxes(pairs_.innerSlices());
+    setFluxes(levels_.touched(pairs_.innerSlices()));
     halo_.finish(twoExchanges ? gradientsSent() : W_.components());
     sleeping_.updateHalo();
     if constexpr (predictable)
     {
         if (predicts)
         {
-            predict(nSlices, haloExchange::nSlices(particles_));
+            predict(pairs_.haloSlices());
         }
     }
-    setFluxes(pairs_.outerSlices());
+    setFluxes(levels_.touched(pairs_.outerSlices()));
     setFluxes(pairs_.haloSlices());
 
     #pragma omp parallel for
     for (label slice = 0; slice < nSlices; ++slice)
     {
-        if (!sleeping_.isStillSlice(slice))
+        if (levels_.isTouched(slice) && !sleeping_.isStillSlice(slice))
         {
-            addBackwardFluxes(slice);
+            if (predictable && levels_.mixed(slice))
+            {
+                addBackwardFluxes<predictable>(slice);
+            }
+            else
+            {
+                addBackwardFluxes<false>(slice);
+            }
         }
     }
 
@@ -385,116 +270,6 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
     addForces();
 
     sleeping_.wake(R_);
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-template<class Conserved>
-bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::setState
-(
-    const Conserved& conserved
-)
-{
-    const Flux flux(flux_);
-    const label n = particles_.nParticles();
-    bool allAdmissible = true;
-
-    #pragma omp parallel for reduction(&&:allAdmissible)
-    for (label slice = 0; slice < pairs_.nSlices(); ++slice)
-    {
-        if (sleeping_.rests(slice))
-        {
-            continue;
-        }
-
-        const label i0 = slice*nLanes;
-        bool admissible[nLanes];
-
-        #pragma omp simd
-        for (label lane = 0; lane < nLanes; ++lane)
-        {
-            const label i = i0 + lane;
-            const vars Q(conserved(i));
-            const vars W(flux.primitive(Q));
-            const bool ok = flux.admissible(W);
-            for (int v = 0; v < nVars; ++v)
-            {
-                Q_[v][i] = ok ? Q[v] : Q_[v][i];
-                W_[v][i] = ok ? W[v] : W_[v][i];
-            }
-            admissible[lane] = ok;
-        }
-
-        for (label lane = 0; lane < nLanes && i0 + lane < n; ++lane)
-        {
-            if (!admissible[lane])
-            {
-                failed_[i0 + lane] = true;
-                allAdmissible = false;
-            }
-        }
-    }
-
-    limitsCurrent_ = false;
-    return allAdmissible;
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
-(
-    const scalar a,
-    const scalar bDt,
-    const label first,
-    const label last
-)
-{
-    return setState
-    (
-        [&](const label i)
-        {
-            const scalar rate = bDt/V_[0][i];
-
-            // Without a rate nothing changes, to the last bit
-            vars Q(load(Q_, i));
-            for (label v = first; v < last; ++v)
-            {
-                Q[v] += a*(Q0_[v][i] - Q[v]) + rate*R_[v][i];
-            }
-            return Q;
-        }
-    );
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::superStep
-(
-    const scalar mu,
-    const scalar nu,
-    const scalar bDt,
-    const scalar gDt
-)
-{
-    return setState
-    (
-        [&](const label i)
-        {
-            const scalar rV = 1/V_[0][i];
-
-            vars Q(load(Q_, i));
-            for (label v = 0; v < nVars; ++v)
-            {
-                const scalar before = Q[v];
-                Q[v] +=
-                    nu*(Qp_[v][i] - before)
-                  + (1 - mu - nu)*(Q0_[v][i] - before)
-                  + rV*(bDt*R_[v][i] + gDt*R0_[v][i]);
-                Qp_[v][i] = before;
-            }
-            return Q;
-        }
-    );
 }
 
 

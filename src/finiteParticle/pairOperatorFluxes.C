@@ -12,11 +12,12 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Flux, class Limiter, bool Viscous>
-template<bool Sleeping>
+template<bool Sleeping, bool Parts>
 inline Foam::label
 Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 (
-    const label slice
+    const label slice,
+    const scalar step
 )
 {
     const Flux flux(flux_);
@@ -25,12 +26,17 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
     const scalar* codes = sleeping_.code();
     scalar* fluxes = fluxes_.data();
 
+    const scalar* steps = levels_.step();
+
+    // States at present, and at the start of each one's step
     const scalar* W[nVars];
+    const scalar* start[nVars];
     const scalar* change[nVars];
     const scalar* G[nVars*nDims];
     for (int v = 0; v < nVars; ++v)
     {
-        W[v] = W_[v];
+        W[v] = present()[v];
+        start[v] = W_[v];
         if constexpr (predictable)
         {
             change[v] = change_[v];
@@ -69,6 +75,20 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             J[v] = W[v][j];
         }
 
+        // The shorter step of the two, over each one's own
+        scalar duration = step;
+        scalar shareI = 1;
+        scalar shareJ = 1;
+        if constexpr (Parts)
+        {
+            const scalar stepI = std::abs(steps[i]);
+            const scalar stepJ = std::abs(steps[j]);
+            const scalar shorter = stepI < stepJ ? stepI : stepJ;
+            shareI = shorter/stepI;
+            shareJ = shorter/stepJ;
+            duration = (steps[i] > 0) | (steps[j] > 0) ? shorter : 0;
+        }
+
         const auto meanGradient = [&](const int v, const int d)
         {
             if constexpr (Limiter::linear)
@@ -103,8 +123,8 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             {
                 for (int v = 0; v < nVars; ++v)
                 {
-                    L[v] += change[v][i];
-                    R[v] += change[v][j];
+                    L[v] += shareI*change[v][i];
+                    R[v] += shareJ*change[v][j];
                 }
             }
 
@@ -127,7 +147,8 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
                 L[v] = physical ? L[v] : I[v];
                 R[v] = physical ? R[v] : J[v];
             }
-            fallback[lane] += (physical | (j == i)) ? 0 : 1;
+            fallback[lane] +=
+                (physical | (j == i) | (duration <= 0)) ? 0 : 1;
         }
 
         bool still = false;
@@ -154,15 +175,25 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
             );
         }
 
-        // One flux for both, less that of each one's own state
+        // One flux for both, less that of each one's own state, which has to
+        // be the same for all its pairs
+        if constexpr (Parts)
+        {
+            for (int v = 0; v < nVars; ++v)
+            {
+                I[v] = start[v][i];
+                J[v] = start[v][j];
+            }
+        }
+        const scalar given = duration*area;
         const auto face(flux.crossing(L, R, n));
         const vars outOfI(flux.difference(face, I, n));
         const vars intoJ(flux.difference(face, J, n));
         for (int v = 0; v < nVars; ++v)
         {
-            rate[v][lane] -= area*outOfI[v] + viscous[v];
+            rate[v][lane] -= given*outOfI[v] + viscous[v];
             fluxes[(std::size_t(row)*nVars + v)*nLanes + lane] =
-                area*intoJ[v] + viscous[v];
+                given*intoJ[v] + viscous[v];
         }
     };
 
@@ -183,7 +214,12 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 
     for (int v = 0; v < nVars; ++v)
     {
-        std::copy_n(rate[v], nLanes, R_[v] + i0);
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            scalar& R = R_[v][i0 + lane];
+            const bool within = Parts && !levels_.begins(i0 + lane);
+            R = within ? R + rate[v][lane] : rate[v][lane];
+        }
     }
 
     label nFallbacks = 0;
@@ -196,6 +232,7 @@ Foam::SPH::pairOperator<Flux, Limiter, Viscous>::pairFluxes
 
 
 template<class Flux, class Limiter, bool Viscous>
+template<bool Parts>
 inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addBackwardFluxes
 (
     const label slice
@@ -205,6 +242,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addBackwardFluxes
     const pairSlices::rows rows = pairs_.backward(slice);
     const int* entry = pairs_.entry();
     const scalar* fluxes = fluxes_.data();
+    const scalar* steps = levels_.step();
 
     scalar rate[nVars][nLanes];
     for (int v = 0; v < nVars; ++v)
@@ -219,9 +257,18 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addBackwardFluxes
         {
             const std::size_t first =
                 rowField::start(entry[row*nLanes + lane], nVars);
+
+            // Those of pairs that begin no step are of an earlier part
+            bool begins = true;
+            if constexpr (Parts)
+            {
+                const label j = rows.neighbour[row*nLanes + lane];
+                begins = (steps[i0 + lane] > 0) | (steps[j] > 0);
+            }
             for (int v = 0; v < nVars; ++v)
             {
-                rate[v][lane] += fluxes[first + v*nLanes];
+                const scalar flux = fluxes[first + v*nLanes];
+                rate[v][lane] += begins ? flux : 0;
             }
         }
     }
@@ -243,207 +290,8 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addBackwardFluxes
             const vars F(flux_.flux(load(W_, i), a));
             for (int v = 0; v < nVars; ++v)
             {
-                R_[v][i] -= F[v];
+                R_[v][i] -= duration(i)*F[v];
             }
-        }
-    }
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline typename Flux::vars
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceState
-(
-    const label i,
-    const label facei
-) const
-{
-    const vars I(stateAhead(i));
-
-    if constexpr (Limiter::linear)
-    {
-        if (Limiter::limitsPairs && !faces_.reflects(facei))
-        {
-            return I;
-        }
-
-        vec x;
-        for (int d = 0; d < nDims; ++d)
-        {
-            x[d] = faces_.relative()[facei][d];
-        }
-
-        vars state(I);
-        for (int v = 0; v < nVars; ++v)
-        {
-            state[v] += increment(v, i, x);
-        }
-        return flux_.physical(state) ? state : I;
-    }
-    else
-    {
-        return I;
-    }
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline typename Flux::faceFlux
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::reflectedFlux
-(
-    const vars& L,
-    const vars& wall,
-    const vars& I,
-    const vec& n,
-    const label facei
-) const
-{
-    if (!faces_.contact(facei))
-    {
-        return flux_.wallFlux(L, wall, I, n);
-    }
-
-    // The solid particle's state: velocity reversed relative to a no-slip
-    // wall, reflected by a slip wall, all else equal
-    vars solid(L);
-    if (faces_.type(facei) == faceStates::noSlip)
-    {
-        for (int d = 1; d <= nDims; ++d)
-        {
-            solid[d] = 2*wall[d] - L[d];
-        }
-    }
-    else
-    {
-        vec wallNormal;
-        for (int d = 0; d < nDims; ++d)
-        {
-            wallNormal[d] = faces_.wallNormal(facei)[d];
-        }
-        const scalar through =
-            normalVelocity(L, wallNormal) - normalVelocity(wall, wallNormal);
-        for (int d = 0; d < nDims; ++d)
-        {
-            solid[1 + d] -= 2*through*wallNormal[d];
-        }
-    }
-
-    return totalFlux<nDims>
-    (
-        pairFlux(flux_, L, solid, I, n), flux_.flux(I, n), flux_.massFactor()
-    );
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline typename Flux::vars
-Foam::SPH::pairOperator<Flux, Limiter, Viscous>::faceViscousFlux
-(
-    const label i,
-    const label facei,
-    const vars& outer,
-    const vec& n
-) const
-{
-    const vars I(load(W_, i));
-    const bool wall = faces_.type(facei) == faceStates::noSlip;
-    const scalar r = faces_.distance()[facei];
-
-    vars normalGradient(vars::zero());
-    for (int v = 0; v < nVars; ++v)
-    {
-        if (!faces_.own(v, facei))
-        {
-            normalGradient[v] = (outer[v] - I[v])/r;
-
-            if constexpr (Limiter::linear)
-            {
-                // A condition that gives the gradient has this difference
-                // for it. A contact pair does not end at the wall: its gradient
-                // is the difference of two particles
-                if
-                (
-                    wall
-                 && quadraticWall_
-                 && faces_.givesValue(v, facei)
-                 && !faces_.contact(facei)
-                )
-                {
-                    normalGradient[v] =
-                        2*normalGradient[v] - increment(v, i, n);
-                }
-            }
-        }
-    }
-
-    return flux_.viscousBoundaryFlux(outer, normalGradient, n);
-}
-
-
-template<class Flux, class Limiter, bool Viscous>
-inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceFluxes
-(
-    const label k
-)
-{
-    const label i = faces_.owners()[k];
-    const vars I(load(W_, i));
-    const bool sleeping = sleeping_.on() && sleeping_.isStill(i);
-    const vars scale(flux_.scale(I));
-
-    for (const label facei : faces_.faces(k))
-    {
-        vec n;
-        for (int d = 0; d < nDims; ++d)
-        {
-            n[d] = faces_.n()[facei][d];
-        }
-
-        const vars L(faceState(i, facei));
-        vars outer;
-        for (int v = 0; v < nVars; ++v)
-        {
-            outer[v] = faces_.own(v, facei) ? L[v] : faces_.value(v, facei);
-        }
-
-        vars absorbing(outer);
-        faces_.complete(L, absorbing, facei);
-
-        // What comes in undisturbed is no change
-        const auto type = faces_.type(facei);
-        const prescribed gives = faces_.gives(Flux::pressure, facei);
-        bool still = sleeping && !faces_.reflects(facei);
-        for (int v = 0; still && v < nVars; ++v)
-        {
-            still = calm(absorbing[v] - I[v], scale, v);
-        }
-
-        const typename Flux::faceFlux F
-        (
-            type == faceStates::given
-          ? flux_.givenFlux(L, absorbing, I, n, gives)
-          : type == faceStates::open
-          ? flux_.openFlux(L, absorbing, I, n, gives)
-          : reflectedFlux(L, outer, I, n, facei)
-        );
-
-        vars viscous(vars::zero());
-        if (Viscous && type != faceStates::slip)
-        {
-            viscous = faceViscousFlux(i, facei, outer, n);
-        }
-
-        const scalar magSf = faces_.magSf()[facei];
-        for (int v = 0; v < nVars; ++v)
-        {
-            R_[v][i] -= still ? 0 : magSf*(F.difference[v] + viscous[v]);
-        }
-
-        faces_.massFlux()[facei] = magSf*F.mass;
-        for (int d = 0; d < nDims; ++d)
-        {
-            faces_.pressureForce()[facei][d] = magSf*F.momentum[d];
-            faces_.viscousForce()[facei][d] = magSf*viscous[1 + d];
         }
     }
 }

@@ -20,9 +20,14 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
     const label i0 = slice*nLanes;
 
     const scalar* W[nVars];
+    bool begins[nLanes];
     for (int v = 0; v < nVars; ++v)
     {
-        W[v] = W_[v];
+        W[v] = present()[v];
+    }
+    for (label lane = 0; lane < nLanes; ++lane)
+    {
+        begins[lane] = !levels_.on() || levels_.begins(i0 + lane);
     }
 
     scalar sum[nVars*nDims][nLanes] = {};
@@ -95,7 +100,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
                 {
                     g += B[a*nDims + b][i0 + lane]*sum[v*nDims + b][lane];
                 }
-                G[lane] = g;
+                G[lane] = begins[lane] ? g : G[lane];
             }
         }
     }
@@ -126,6 +131,10 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::findCalm
 
     for (label i = slice*nLanes; i < end; ++i)
     {
+        if (levels_.on() && !levels_.begins(i))
+        {
+            continue;
+        }
         const vars I(load(W_, i));
         const vars scale(flux_.scale(I));
 
@@ -135,7 +144,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::findCalm
             for (label row = rows.begin; isCalm && row < rows.end; ++row)
             {
                 const label e = row*nLanes + i % nLanes;
-                const vars J(load(W_, rows.neighbour[e]));
+                const vars J(load(present(), rows.neighbour[e]));
                 for (int v = 0; v < nVars; ++v)
                 {
                     isCalm = isCalm & calm(J[v] - I[v], scale, v);
@@ -154,6 +163,10 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 )
 {
     const label i = faces_.owners()[k];
+    if (levels_.on() && !levels_.begins(i))
+    {
+        return;
+    }
     const vars I(load(W_, i));
     const bool awake = sleeping_.isAwake(i/nLanes);
 
@@ -213,7 +226,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
 
     for (int v = 0; v < nVars; ++v)
     {
-        const scalar* W = W_[v];
+        const scalar* W = present()[v];
         scalar lowest[nLanes] = {};
         scalar highest[nLanes] = {};
         scalar limiter[nLanes];
@@ -289,6 +302,12 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
             }
         }
 
+        // Gradients of those within a step are limited already
+        for (label lane = 0; lane < nLanes && levels_.on(); ++lane)
+        {
+            limiter[lane] = levels_.begins(i0 + lane) ? limiter[lane] : 1;
+        }
+
         for (int d = 0; d < nDims; ++d)
         {
             scalar* G = G_[v*nDims + d] + i0;
@@ -306,17 +325,28 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
 template<class Flux, class Limiter, bool Viscous>
 void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
 (
-    const label begin,
-    const label end
+    const labelUList& slices
 )
 {
     const Flux flux(flux_);
+    const slicedField& states = present();
     const bool anyAsleep = sleeping_.anywhere();
     const scalar* codes = sleeping_.code();
 
     #pragma omp parallel for
-    for (label slice = begin; slice < end; ++slice)
+    for (label k = 0; k < slices.size(); ++k)
     {
+        const label slice = slices[k];
+
+        // Half-way through each one's own step
+        scalar ahead[nLanes];
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            ahead[lane] =
+                levels_.on() ? 0.5*duration(slice*nLanes + lane) : ahead_;
+        }
+        const bool all = !levels_.on();
+
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
         {
@@ -326,11 +356,14 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
                 return G_[v*nDims + d][i];
             };
 
-            const vars step(flux.step(load(W_, i), g, ahead_));
+            const vars step(flux.step(load(states, i), g, ahead[lane]));
             const bool still = anyAsleep && sleepingSlices::still(codes[i], 1);
             for (int v = 0; v < nVars; ++v)
             {
-                change_[v][i] = still ? 0 : step[v];
+                change_[v][i] =
+                    still ? 0
+                  : all || ahead[lane] > 0 ? step[v]
+                  : change_[v][i];
             }
         }
     }

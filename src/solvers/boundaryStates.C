@@ -89,10 +89,15 @@ void Foam::SPH::boundaryStates::copyPatch
     const particlePatch& patch = particles_.boundary()[patchi];
     const labelUList from(patch.face());
 
+    const labelUList owner(patch.owner());
+
     SubList<scalar> values(value_[variable], patch.size(), patch.start());
     forAll(values, k)
     {
-        values[k] = component(patchField[from[k]], cmpt);
+        if (corrects(owner[k]))
+        {
+            values[k] = component(patchField[from[k]], cmpt);
+        }
     }
 }
 

@@ -72,6 +72,25 @@ void Foam::SPH::flowSolver::setStart(const volVectorField& U)
         [](const scalar maxCo) { return maxCo > 0; }
     );
 
+    if (timeScheme_->hasLevels(*law_, maxCo_))
+    {
+        law_->levels().allow
+        (
+            schemes_.getCheckOrDefault<label>
+            (
+                "stepLevels", 3, [](const label n) { return n >= 0 && n <= 8; }
+            )
+        );
+    }
+    else if (schemes_.found("stepLevels"))
+    {
+        FatalIOErrorInFunction(schemes_)
+            << "Entry stepLevels is for timeScheme Hancock with"
+            << " reconstruction linear: rhoSphFoam without viscosity, by"
+            << " fluxScheme Kurganov or HLLC, maxCo up to 0.4"
+            << exit(FatalIOError);
+    }
+
     const List<scalarField> conserved(conservedStart());
 
     bool continues = conserved.size();

@@ -185,13 +185,15 @@ void Foam::SPH::flowSolver::advance()
 
     // Boundary conditions see the time and the length of each step
     label nSteps = 0;
+    label nParts = 1;
     scalar longest = 0;
     for (scalar left = deltaT; left > 0; ++nSteps)
     {
         const scalar n = std::ceil(left/stableDeltaT() - 1e-6);
         const scalar dt = n > 1 ? left/n : left;
         left = n > 1 ? left - dt : 0;
-        longest = max(longest, dt);
+        nParts = timeScheme_->nParts(*law_, dt);
+        longest = max(longest, dt/nParts);
 
         if (dt < deltaT)
         {
@@ -221,6 +223,10 @@ void Foam::SPH::flowSolver::advance()
     if (nSteps > 1)
     {
         Info<< " in " << nSteps << " steps";
+    }
+    if (nParts > 1)
+    {
+        Info<< ", longest steps of " << nParts;
     }
     Info<< endl;
 

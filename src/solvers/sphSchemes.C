@@ -37,7 +37,7 @@ Foam::SPH::sphSchemes::sphSchemes(const Time& runTime)
             "scheme", "fluxScheme", "reconstruction", "limiter", "timeScheme",
             "maxCo", "wallGradient", "boundaryTreatment", "soundSpeed",
             "soundSpeedRatio", "absorptionTime", "density", "soundDamping",
-            "projectStart", "sleeping"
+            "projectStart", "sleeping", "stepLevels"
         }),
         objectPath()
     );
