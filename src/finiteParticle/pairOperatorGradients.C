@@ -19,15 +19,12 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
 {
     const label i0 = slice*nLanes;
 
+    const bool all = !levels_.on();
+    const scalar* steps = levels_.step();
     const scalar* W[nVars];
-    bool begins[nLanes];
     for (int v = 0; v < nVars; ++v)
     {
         W[v] = present()[v];
-    }
-    for (label lane = 0; lane < nLanes; ++lane)
-    {
-        begins[lane] = !levels_.on() || levels_.begins(i0 + lane);
     }
 
     scalar sum[nVars*nDims][nLanes] = {};
@@ -100,7 +97,10 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::gradients
                 {
                     g += B[a*nDims + b][i0 + lane]*sum[v*nDims + b][lane];
                 }
-                G[lane] = begins[lane] ? g : G[lane];
+                if (all || steps[i0 + lane] > 0)
+                {
+                    G[lane] = g;
+                }
             }
         }
     }
@@ -330,6 +330,8 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
 {
     const Flux flux(flux_);
     const slicedField& states = present();
+    const bool all = !levels_.on();
+    const scalar* steps = levels_.step();
     const bool anyAsleep = sleeping_.anywhere();
     const scalar* codes = sleeping_.code();
 
@@ -337,15 +339,6 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
     for (label k = 0; k < slices.size(); ++k)
     {
         const label slice = slices[k];
-
-        // Half-way through each one's own step
-        scalar ahead[nLanes];
-        for (label lane = 0; lane < nLanes; ++lane)
-        {
-            ahead[lane] =
-                levels_.on() ? 0.5*duration(slice*nLanes + lane) : ahead_;
-        }
-        const bool all = !levels_.on();
 
         #pragma omp simd
         for (label lane = 0; lane < nLanes; ++lane)
@@ -356,14 +349,16 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::predict
                 return G_[v*nDims + d][i];
             };
 
-            const vars step(flux.step(load(states, i), g, ahead[lane]));
+            // Half-way through each one's own step
+            const scalar ahead = all ? ahead_ : 0.5*steps[i];
+            const vars step(flux.step(load(states, i), g, ahead));
             const bool still = anyAsleep && sleepingSlices::still(codes[i], 1);
             for (int v = 0; v < nVars; ++v)
             {
-                change_[v][i] =
-                    still ? 0
-                  : all || ahead[lane] > 0 ? step[v]
-                  : change_[v][i];
+                if (all || ahead > 0)
+                {
+                    change_[v][i] = still ? 0 : step[v];
+                }
             }
         }
     }
