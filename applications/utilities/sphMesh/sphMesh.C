@@ -48,6 +48,7 @@ Usage
 #include "startFields.H"
 #include "surfaceVectorClosure.H"
 #include "version.H"
+#include "wallPolyPatch.H"
 #include "OSspecific.H"
 
 #include <algorithm>
@@ -94,6 +95,32 @@ void checkRegions(const Time& runTime)
             << "The case has several regions (" << file << "), which are not"
             << " supported. Valid choices: a case of one mesh in"
             << " constant/polyMesh" << exit(FatalError);
+    }
+}
+
+
+//- Warn where more than half of the particles are at walls: then fewer than
+//  four stand between two walls, which is too few for a flow
+void warnOfFew(const fvMesh& mesh, const particleMeshData& data)
+{
+    labelHashSet atWalls;
+    forAll(mesh.boundaryMesh(), patchi)
+    {
+        const label start = data.boundary.start[patchi];
+        const label size = data.boundary.start[patchi + 1] - start;
+        if (isA<wallPolyPatch>(mesh.boundaryMesh()[patchi]))
+        {
+            atWalls.insert(SubList<label>(data.boundary.owner, size, start));
+        }
+    }
+
+    if (2*atWalls.size() > data.points.size())
+    {
+        WarningInFunction
+            << "Of " << data.points.size() << " particles " << atWalls.size()
+            << " are at walls: there are fewer than four between them, too few"
+            << " for the flow. Refine the mesh, or set a smaller spacing in"
+            << " system/sphMeshDict" << endl;
     }
 }
 
@@ -173,6 +200,7 @@ void generateParticles
     Info<< "    particles: " << data.points.size()
         << "  pairs: " << data.owner.size()
         << "  boundary faces: " << data.boundary.owner.size() << endl;
+    warnOfFew(mesh, data);
 
     sph.writeMesh(properties, zone, data, generator.solids(), contact);
 }
