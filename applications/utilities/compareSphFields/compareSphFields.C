@@ -37,6 +37,25 @@ Usage
 
 using namespace Foam;
 
+//- The last time with a field that is not of SPH: mapSphFields makes folders
+//- of its own where the particles have other times
+instant lastOfFvm(const SPH::referenceCase& reference)
+{
+    instant last;
+    for (const instant& time : reference.times())
+    {
+        for (const word& field : reference.objects(time).names())
+        {
+            if (IOobject::group(field) != "sph")
+            {
+                last = time;
+            }
+        }
+    }
+    return last;
+}
+
+
 //- Map what is new in the particle case and has an FVM field to compare with;
 //- at time 0 only if that is selected
 void mapNewFields
@@ -77,7 +96,7 @@ void mapNewFields
     }
 
     // Steady runs end when they have converged, each after its own iterations
-    const instant last(reference.times().last());
+    const instant last(lastOfFvm(reference));
     const dictionary& ddt = mesh.schemesDict().subDict("ddtSchemes");
     if
     (
