@@ -99,28 +99,80 @@ void checkRegions(const Time& runTime)
 }
 
 
-//- Warn where more than half of the particles are at walls: then fewer than
-//  four stand between two walls, which is too few for a flow
+//- Warn of the narrowest passage between walls if fewer than four particles
+//  stand across it, which are too few for a flow
 void warnOfFew(const fvMesh& mesh, const particleMeshData& data)
 {
-    labelHashSet atWalls;
+    const boundaryFaces& faces = data.boundary;
+
+    labelList patchIDs(faces.owner.size());
+    List<DynamicList<label>> own(data.points.size());
     forAll(mesh.boundaryMesh(), patchi)
     {
-        const label start = data.boundary.start[patchi];
-        const label size = data.boundary.start[patchi + 1] - start;
-        if (isA<wallPolyPatch>(mesh.boundaryMesh()[patchi]))
+        for (label i = faces.start[patchi]; i < faces.start[patchi + 1]; ++i)
         {
-            atWalls.insert(SubList<label>(data.boundary.owner, size, start));
+            patchIDs[i] = patchi;
+            if (isA<wallPolyPatch>(mesh.boundaryMesh()[patchi]))
+            {
+                own[faces.owner[i]].append(i);
+            }
         }
     }
 
-    if (2*atWalls.size() > data.points.size())
+    // Of three particles across, the one in the middle has both walls beside it
+    List<DynamicList<label>> near(own);
+    forAll(data.owner, pairi)
     {
+        const label i = data.owner[pairi];
+        const label j = data.neighbour[pairi];
+        const vector apart(data.points[j] - data.points[i]);
+        if (mag(data.delta[pairi] - apart) < 0.1*mag(apart))
+        {
+            near[i].append(own[j]);
+            near[j].append(own[i]);
+        }
+    }
+
+    scalar least = 3.5;
+    labelPair walls(-1, -1);
+    forAll(near, particlei)
+    {
+        for (const label i : near[particlei])
+        {
+            for (const label j : near[particlei])
+            {
+                const vector across(faces.Cf[j] - faces.Cf[i]);
+                const vector ni(normalised(faces.Sf[i]));
+                const vector nj(normalised(faces.Sf[j]));
+
+                // Opposite, with the fluid between them
+                if
+                (
+                    (ni & nj) < -0.95
+                 && (across & (nj - ni)) > 1.4*mag(across)
+                 && mag(across) < least*data.spacing[particlei]
+                )
+                {
+                    least = mag(across)/data.spacing[particlei];
+                    walls = labelPair(i, j);
+                }
+            }
+        }
+    }
+
+    if (walls.first() >= 0)
+    {
+        const point& a = faces.Cf[walls.first()];
+        const point& b = faces.Cf[walls.second()];
         WarningInFunction
-            << "Of " << data.points.size() << " particles " << atWalls.size()
-            << " are at walls: there are fewer than four between them, too few"
-            << " for the flow. Refine the mesh, or set a smaller spacing in"
-            << " system/sphMeshDict" << endl;
+            << "Between the patches "
+            << mesh.boundaryMesh()[patchIDs[walls.first()]].name() << " and "
+            << mesh.boundaryMesh()[patchIDs[walls.second()]].name() << " at "
+            << 0.5*(a + b) << ", " << mag(b - a) << " m apart, particles: "
+            << max(label(round(least)), label(1))
+            << ". Fewer than four are too few for a flow: refine the mesh"
+            << " there, or give system/sphMeshDict a spacing there of "
+            << mag(b - a)/4 << " m or less" << endl;
     }
 }
 
