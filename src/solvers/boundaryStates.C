@@ -11,6 +11,7 @@ License
 #include "advectiveFvPatchField.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "freestreamFvPatchField.H"
 #include "freestreamVelocityFvPatchVectorField.H"
 #include "mixedFvPatchFields.H"
 
@@ -147,6 +148,39 @@ void Foam::SPH::boundaryStates::setGiven(const label patchi)
 }
 
 
+void Foam::SPH::boundaryStates::holdStream
+(
+    const label patchi,
+    vectorField& velocity
+)
+{
+    // A gas may leave faster than sound
+    const bool alwaysSubsonic = scalars_.size() == 1;
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+    if (!alwaysSubsonic || !isStream(Up))
+    {
+        return;
+    }
+
+    const vectorField& stream =
+        refCast<const mixedFvPatchVectorField>(Up).refValue();
+    const particlePatch& patch = particles_.boundary()[patchi];
+    const labelUList face(patch.face());
+    forAll(face, k)
+    {
+        const label facei = patch.start() + k;
+        if (!given_[0][facei])
+        {
+            velocity[face[k]] = stream[face[k]];
+            for (label d = 0; d < loopDims(particles_); ++d)
+            {
+                given_[1 + d][facei] = true;
+            }
+        }
+    }
+}
+
+
 void Foam::SPH::boundaryStates::copyPatches(const label patchi)
 {
     setGiven(patchi);
@@ -165,6 +199,7 @@ void Foam::SPH::boundaryStates::copyPatches(const label patchi)
         const vectorField n(Up.patch().nf());
         velocity = n*(n & Up);
     }
+    holdStream(patchi, velocity);
 
     for (label d = 0; d < loopDims(particles_); ++d)
     {
@@ -247,6 +282,14 @@ bool Foam::SPH::boundaryStates::givesVelocity(const fvPatchVectorField& Up)
         Up.fixesValue()
      && !isA<mixedFvPatchVectorField>(Up)
      && !Up.type().starts_with("pressure");
+}
+
+
+bool Foam::SPH::boundaryStates::isStream(const fvPatchVectorField& Up)
+{
+    return
+        isA<freestreamFvPatchField<vector>>(Up)
+     || isA<freestreamVelocityFvPatchVectorField>(Up);
 }
 
 

@@ -226,6 +226,44 @@ void Foam::SPH::weaklyCompressibleFlow::checkFluxes() const
 }
 
 
+void Foam::SPH::weaklyCompressibleFlow::checkOpen() const
+{
+    for (const particlePatch& patch : particles_.boundary())
+    {
+        const fvPatchVectorField& Up = U_.boundaryField()[patch.index()];
+        const fvPatchScalarField& pp = p_.boundaryField()[patch.index()];
+        if
+        (
+            !patch.size() || faces_->reflects(patch.start())
+         || pp.fixesValue() || boundaryStates::givesVelocity(Up)
+        )
+        {
+            continue;
+        }
+        if (boundaryStates::isStream(Up))
+        {
+            WarningInFunction
+                << "Patch " << patch.name() << " gives no " << p_.name()
+                << " where the flow leaves: there it leaves with the velocity"
+                << " of the free stream. With " << p_.name()
+                << " of the type freestreamPressure it is free" << nl << endl;
+        }
+        else
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " gives neither " << U_.name()
+                << " (" << Up.type() << ") nor " << p_.name() << " ("
+                << pp.type() << ") where the flow leaves, in "
+                << runTime_.timePath() << ": nothing would hold the flow."
+                << " Valid choices: a condition of " << p_.name()
+                << " that gives values, as fixedValue, or one of "
+                << U_.name() << ", as fixedValue or freestream"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::SPH::weaklyCompressibleFlow::warnOfCompression()
 {
     constexpr scalar largestMach = 0.3;
@@ -417,6 +455,7 @@ Foam::SPH::weaklyCompressibleFlow::weaklyCompressibleFlow
     (
         new boundaryStates(particles, U_, {{p_, 0}}, phi_, fluid_.nu > 0)
     );
+    checkOpen();
     law_ = conservationLaw::New(schemes_, fluid_, *faces_);
 
     if (starts && schemes_.getOrDefault<Switch>("projectStart", true))
