@@ -137,7 +137,6 @@ Foam::SPH::conservationLaw::conservationLaw
         faces, pairs_, schemes.getOrDefault<Switch>("sleeping", true)
     ),
     levels_(particles_, pairs_, halo_),
-    rate_(1, pairs_.nSlices()),
     nFallbacks_(0),
     nReduced_(0),
     failed_(particles_.nParticles(), false),

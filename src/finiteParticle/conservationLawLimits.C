@@ -64,7 +64,7 @@ void Foam::SPH::conservationLaw::setSliceRates
         sliceRates_[k][slice] = largest;
     }
 
-    std::copy_n(acoustic, nLanes, rate_[0] + slice*nLanes);
+    levels_.setRates(slice, acoustic);
 
     sliceSums_[slice] = 0;
     for (label lane = 0; lane < nLanes; ++lane)
@@ -113,7 +113,7 @@ void Foam::SPH::conservationLaw::reduceState()
 
     if (levels_.allowed())
     {
-        levels_.set(rate_[0], limits_[0].rate, sleeping_);
+        levels_.set(limits_[0].rate, sleeping_);
     }
 }
 

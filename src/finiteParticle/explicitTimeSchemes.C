@@ -220,6 +220,12 @@ class automatic
     //- Longest step of SSPRK3 [s]
     scalar shortStep_ = GREAT;
 
+    //- Is one stage stable
+    bool mayTakeOneStage(const conservationLaw& law, const scalar maxCo) const
+    {
+        return law.maySeeAhead() && maxCo <= oneStage_.defaultCo(law);
+    }
+
     //- b_j
     static scalar b(const label j)
     {
@@ -294,7 +300,8 @@ public:
         const scalar maxCo
     ) const
     {
-        return law.mayTakeParts() && maxCo <= oneStage_.defaultCo(law);
+        return
+            mayTakeOneStage(law, maxCo) && oneStage_.hasLevels(law, maxCo);
     }
 
     virtual label nParts(conservationLaw& law, const scalar dt) const
@@ -308,7 +315,7 @@ public:
         const scalar maxCo
     )
     {
-        seesAhead_ = law.maySeeAhead() && maxCo <= oneStage_.defaultCo(law);
+        seesAhead_ = mayTakeOneStage(law, maxCo);
         if (seesAhead_)
         {
             return oneStage_.stableDeltaT(law, maxCo);

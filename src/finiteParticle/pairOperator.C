@@ -231,7 +231,7 @@ void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::evaluate
         }
     }
     setFluxes(levels_.touched(pairs_.innerSlices()));
-    halo_.finish(twoExchanges ? gradientsSent() : W_.components());
+    halo_.finish(twoExchanges ? gradientsSent() : present().components());
     sleeping_.updateHalo();
     if constexpr (predictable)
     {

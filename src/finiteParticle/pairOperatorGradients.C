@@ -131,7 +131,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::findCalm
 
     for (label i = slice*nLanes; i < end; ++i)
     {
-        if (levels_.on() && !levels_.begins(i))
+        if (!levels_.begins(i))
         {
             continue;
         }
@@ -163,10 +163,11 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::addFaceGradients
 )
 {
     const label i = faces_.owners()[k];
-    if (levels_.on() && !levels_.begins(i))
+    if (!levels_.begins(i))
     {
         return;
     }
+
     const vars I(load(W_, i));
     const bool awake = sleeping_.isAwake(i/nLanes);
 
@@ -303,7 +304,7 @@ inline void Foam::SPH::pairOperator<Flux, Limiter, Viscous>::limitGradients
         }
 
         // Gradients of those within a step are limited already
-        for (label lane = 0; lane < nLanes && levels_.on(); ++lane)
+        for (label lane = 0; lane < nLanes; ++lane)
         {
             limiter[lane] = levels_.begins(i0 + lane) ? limiter[lane] : 1;
         }

@@ -255,8 +255,7 @@ bool Foam::SPH::pairOperator<Flux, Limiter, Viscous>::update
     (
         [&](const label i)
         {
-            const scalar rate =
-                !levels_.on() || levels_.ends(i) ? bDt/V_[0][i] : 0;
+            const scalar rate = levels_.ends(i) ? bDt/V_[0][i] : 0;
 
             // Without a rate nothing changes, to the last bit
             vars Q(load(Q_, i));

@@ -165,11 +165,12 @@ Foam::SPH::stepLevels::stepLevels
     pairs_(pairs),
     halo_(halo),
     highest_(0),
+    rate_(0, 0),
     level_(0, 0),
     step_(0, 0),
-    passed_(0, 0),
     nLevels_(0),
     nParts_(1),
+    part_(0),
     beginning_(0),
     ending_(0)
 {}
@@ -180,22 +181,32 @@ Foam::SPH::stepLevels::stepLevels
 void Foam::SPH::stepLevels::allow(const label highest)
 {
     highest_ = highest;
+    rate_ = slicedField(1, pairs_.nSlices());
     level_ = slicedField(1, haloExchange::nSlices(particles_));
     step_ = level_;
-    passed_ = level_;
     lowest_.setSize(pairs_.nSlices());
     lowestAround_.setSize(pairs_.nSlices());
     mixed_.setSize(pairs_.nSlices());
 }
 
 
+void Foam::SPH::stepLevels::setRates(const label slice, const scalar* rate)
+{
+    if (allowed())
+    {
+        std::copy_n(rate, nLanes, rate_[0] + slice*nLanes);
+    }
+}
+
+
 void Foam::SPH::stepLevels::set
 (
-    const scalar* rate,
     const scalar largest,
     const sleepingSlices& sleeping
 )
 {
+    const scalar* rate = rate_[0];
+
     // Particles that are not there limit nothing
     std::fill_n(level_[0], level_.size(), scalar(highest_));
     for (label i = 0; i < particles_.nParticles(); ++i)
@@ -240,16 +251,15 @@ void Foam::SPH::stepLevels::start(const label nParts)
 
 void Foam::SPH::stepLevels::begin(const label part, const scalar dt)
 {
+    part_ = part;
     beginning_ = aligned(part);
     ending_ = aligned(part + 1);
 
     for (label i = 0; i < level_.size(); ++i)
     {
         const label level(level_[0][i]);
-        const label nParts = 1 << level;
-        const scalar step = dt/nParts_*nParts;
+        const scalar step = dt/nParts_*(1 << level);
         step_[0][i] = level <= beginning_ ? step : -step;
-        passed_[0][i] = scalar(part % nParts)/nParts;
     }
 }
 

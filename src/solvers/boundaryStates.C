@@ -89,7 +89,6 @@ void Foam::SPH::boundaryStates::copyPatch
 {
     const particlePatch& patch = particles_.boundary()[patchi];
     const labelUList from(patch.face());
-
     const labelUList owner(patch.owner());
 
     SubList<scalar> values(value_[variable], patch.size(), patch.start());

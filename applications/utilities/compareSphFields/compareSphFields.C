@@ -41,18 +41,18 @@ using namespace Foam;
 //- of its own where the particles have other times
 instant lastOfFvm(const SPH::referenceCase& reference)
 {
-    instant last;
-    for (const instant& time : reference.times())
+    const instantList times(reference.times());
+    forAllReverse(times, timei)
     {
-        for (const word& field : reference.objects(time).names())
+        for (const word& field : reference.objects(times[timei]).names())
         {
             if (IOobject::group(field) != "sph")
             {
-                last = time;
+                return times[timei];
             }
         }
     }
-    return last;
+    return instant();
 }
 
 
